@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "robot/poller.h"
+#include "robot/robotstate.h"
+#include "session/session.h"
+#include "settings/profile.h"
+#include <QTimer>
+#include <memory>
+
+namespace robot {
+
+/// Where the link to a controller stands. *Connected* means that status and system information were answered.
+enum class LinkState {
+    Disconnected, ///< Nobody asked for a link.
+    Checking, ///< Asking; no valid reply to system information and status yet. Goes on until told to stop.
+    Monitoring, ///< Values are live.
+    Lost, ///< Monitoring was, and three status reads in a row were missed. Reading resumes by itself.
+};
+
+/// How far an order to hold has come. It ends in Confirmed, Refused or Unconfirmed.
+enum class HoldProgress { Idle, Sent, Confirmed, Refused, Unconfirmed };
+
+/// One robot controller: its link, what was read from it, and the orders it can be given.
+class Controller : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Controller(settings::Profile profile, QObject *parent = nullptr);
+    ~Controller() override;
+
+    [[nodiscard]] const settings::Profile &profile() const { return m_profile; }
+    [[nodiscard]] LinkState linkState() const { return m_linkState; }
+    /// When the present link state began, by this computer's clock.
+    [[nodiscard]] QDateTime linkStateSince() const { return m_linkStateSince; }
+    /// Why checking does not get on; empty while it does, and in the other states.
+    [[nodiscard]] std::optional<values::Error> trouble() const { return m_trouble; }
+    /// How often communication was lost since open(); monitoring with a count over 0 is "monitoring again".
+    [[nodiscard]] int timesLost() const { return m_timesLost; }
+    [[nodiscard]] const RobotState &state() const { return *m_state; }
+    [[nodiscard]] session::LinkStatistics statistics() const;
+    [[nodiscard]] Poller &poller() { return *m_poller; }
+    [[nodiscard]] HoldProgress holdProgress() const { return m_holdProgress; }
+    /// The refusal, while holdProgress() is Refused.
+    [[nodiscard]] const std::optional<values::Error> &holdRefusal() const { return m_holdRefusal; }
+
+    /// Begins checking. Nothing but reads is sent, now and whenever the link comes back.
+    void open();
+    void close();
+
+    /// HOLD on (0x83), at once and ahead of everything, whatever the link state except Disconnected. It is repeated until
+    /// the status confirms it or 2 s have passed.
+    void hold();
+
+Q_SIGNALS:
+    void linkStateChanged();
+    void troubleChanged();
+    /// Twice a second while the link is open.
+    void statisticsChanged();
+    void holdProgressChanged();
+
+private:
+    // see controller.cpp
+    settings::Profile m_profile;
+    RobotState *m_state;
+    Poller *m_poller = nullptr;
+    LinkState m_linkState = LinkState::Disconnected;
+    QDateTime m_linkStateSince;
+    std::optional<values::Error> m_trouble;
+    int m_timesLost = 0;
+    HoldProgress m_holdProgress = HoldProgress::Idle;
+    std::optional<values::Error> m_holdRefusal;
+};
+
+} // namespace robot

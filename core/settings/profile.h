@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "protocol/dialect.h"
+#include "protocol/packet.h"
+#include <QString>
+#include <chrono>
+
+namespace settings {
+
+/// Everything Pendesk must be told about one controller.
+struct Profile {
+    QString name; ///< Shown everywhere; unique among the profiles.
+    QString host; ///< Name or IPv4 address.
+    quint16 port = protocol::robotPort; ///< UDP, robot control.
+    quint16 filePort = protocol::filePort; ///< UDP, file control.
+    protocol::Model model = protocol::Model::YRC1000;
+    std::chrono::milliseconds readTimeout {300}; ///< One try of a read; 20 ms to 60 s.
+    std::chrono::milliseconds fileTimeout {3000};
+    std::chrono::milliseconds servoTimeout {8000};
+    int readRepeats = 2; ///< 0 to 10.
+    int window = 1; ///< Requests outstanding at once, 1 to 8.
+    int requestsPerSecond = 100; ///< Ceiling; 1 to 10000.
+    bool isSimulation = false; ///< The embedded virtual controller: the window says SIMULATION.
+
+    bool operator==(const Profile &) const = default;
+};
+
+} // namespace settings
