@@ -12,10 +12,7 @@ namespace {
 using enum Service;
 using Ranges = QList<InstanceRange>;
 
-InstanceRange numbered(int base, int count)
-{
-    return {quint16(base + 1), quint16(base + count)};
-}
+InstanceRange numbered(int base, int count) { return {quint16(base + 1), quint16(base + count)}; }
 
 Ranges onlyFirst(const Dialect &) { return {{1, 1}}; }
 Ranges tasks(const Dialect &d) { return {numbered(0, d.tasks)}; }
@@ -72,7 +69,8 @@ const std::vector<Command> &rows()
 
 bool Command::hasInstance(quint32 instance, const Dialect &dialect) const
 {
-    return std::ranges::any_of(instances(dialect), [instance](InstanceRange range) { return range.contains(instance); });
+    return std::ranges::any_of(
+        instances(dialect), [instance](InstanceRange range) { return range.contains(instance); });
 }
 
 std::span<const Command> commands() { return rows(); }

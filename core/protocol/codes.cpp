@@ -9,11 +9,9 @@
 using values::Error;
 using values::ErrorKind;
 
-namespace protocol
-{
+namespace protocol {
 
-namespace
-{
+namespace {
 
 constexpr std::array<quint16, 5> busyCodes {0x2090, 0xD8F1, 0xD8FA, 0xE444, 0xFFF6};
 
@@ -23,14 +21,10 @@ QString translated(const char *text) { return QCoreApplication::translate("proto
 quint16 codeOfBareStatus(quint8 status)
 {
     switch (status) {
-    case 0x08:
-        return 0xA000;
-    case 0x09:
-        return 0xA002;
-    case 0x28:
-        return 0xA001;
-    default:
-        return 0;
+    case 0x08: return 0xA000;
+    case 0x09: return 0xA002;
+    case 0x28: return 0xA001;
+    default: return 0;
     }
 }
 
@@ -57,24 +51,18 @@ QString explainRefusal(const Error &refusal)
 const char *sentence(ErrorKind kind)
 {
     switch (kind) {
-    case ErrorKind::Refused:
-        break;
+    case ErrorKind::Refused: break;
     case ErrorKind::NoAnswer:
         return QT_TRANSLATE_NOOP("protocol", "the controller did not answer; nothing was changed");
     case ErrorKind::UnknownOutcome:
         return QT_TRANSLATE_NOOP("protocol", "no answer: it may or may not have happened — look at the robot");
-    case ErrorKind::Malformed:
-        return QT_TRANSLATE_NOOP("protocol", "the answer does not fit the question");
-    case ErrorKind::NotSent:
-        return QT_TRANSLATE_NOOP("protocol", "nothing was sent");
-    case ErrorKind::Network:
-        return QT_TRANSLATE_NOOP("protocol", "this computer's network refused");
-    case ErrorKind::BadInput:
-        return QT_TRANSLATE_NOOP("protocol", "this cannot be sent to a controller");
+    case ErrorKind::Malformed: return QT_TRANSLATE_NOOP("protocol", "the answer does not fit the question");
+    case ErrorKind::NotSent: return QT_TRANSLATE_NOOP("protocol", "nothing was sent");
+    case ErrorKind::Network: return QT_TRANSLATE_NOOP("protocol", "this computer's network refused");
+    case ErrorKind::BadInput: return QT_TRANSLATE_NOOP("protocol", "this cannot be sent to a controller");
     case ErrorKind::LocalFile:
         return QT_TRANSLATE_NOOP("protocol", "a file on this computer could not be read or written");
-    case ErrorKind::Cancelled:
-        return QT_TRANSLATE_NOOP("protocol", "cancelled");
+    case ErrorKind::Cancelled: return QT_TRANSLATE_NOOP("protocol", "cancelled");
     }
     return "";
 }

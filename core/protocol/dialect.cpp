@@ -62,15 +62,9 @@ std::optional<IoArea> Dialect::ioArea(quint32 group) const
     return found == io.end() ? std::nullopt : std::optional {found->area};
 }
 
-InstanceRange Dialect::ioRange(IoArea area) const
-{
-    return std::ranges::find(io, area, &IoRange::area)->groups;
-}
+InstanceRange Dialect::ioRange(IoArea area) const { return std::ranges::find(io, area, &IoRange::area)->groups; }
 
-const Dialect &dialect(Model model)
-{
-    return *std::ranges::find(dialects, model, &Dialect::model);
-}
+const Dialect &dialect(Model model) { return *std::ranges::find(dialects, model, &Dialect::model); }
 
 const Dialect *findDialect(QStringView keyOrName)
 {

@@ -10,7 +10,7 @@
 namespace protocol {
 
 enum class Model { DX100, DX200, FS100, YRC1000, YRC1000micro };
-constexpr std::array allModels {Model::DX100, Model::DX200, Model::FS100, Model::YRC1000, Model::YRC1000micro};
+inline constexpr std::array allModels {Model::DX100, Model::DX200, Model::FS100, Model::YRC1000, Model::YRC1000micro};
 
 /// Instances first..last, both included.
 struct InstanceRange {
@@ -42,7 +42,8 @@ struct IoRange {
     InstanceRange groups; ///< Groups of eight signals: 2701 is #27010 to #27017.
 };
 
-/// What differs between controller models, as data. Values that the reference does not know for a model are marked there.
+/// What differs between controller models, as data. Values that the reference does not know for a model are marked
+/// there.
 struct Dialect {
     Model model;
     const char *key; ///< As in settings and on the command line: "yrc1000".

@@ -9,7 +9,8 @@
 
 namespace protocol {
 
-/// Where a payload is described, once: a specialisation for each value lists its elements in the order of the reference.
+/// Where a payload is described, once: a specialisation for each value lists its elements in the order of the
+/// reference.
 ///
 ///     template <> struct Layout<values::Something> {
 ///         static void describe(auto &visit, auto &value)
@@ -27,17 +28,17 @@ namespace protocol {
 template <typename Value> struct Layout;
 
 template <typename Value>
-concept Described = requires { sizeof(Layout<std::remove_const_t<Value>>); };
+concept Described = requires
+{
+    sizeof(Layout<std::remove_const_t<Value>>);
+};
 
 /// Counts the elements before the current one, and selects a single one for the "single" services.
 class ElementCursor
 {
 public:
     /// `only` is the attribute of a single-element service, or 0 for all elements.
-    constexpr explicit ElementCursor(int only) :
-        m_only {only}
-    {
-    }
+    constexpr explicit ElementCursor(int only) : m_only {only} { }
 
     /// Steps to the next element; true if it takes part.
     constexpr bool next() { return ++m_index == m_only || m_only == 0; }
@@ -53,10 +54,7 @@ private:
 class Reader
 {
 public:
-    explicit Reader(QByteArrayView payload, int onlyElement = 0) :
-        m_rest {payload}, m_cursor {onlyElement}
-    {
-    }
+    explicit Reader(QByteArrayView payload, int onlyElement = 0) : m_rest {payload}, m_cursor {onlyElement} { }
 
     template <typename Field> void element(const char *, Field &field)
     {
@@ -102,10 +100,7 @@ private:
 class Writer
 {
 public:
-    explicit Writer(QByteArray &payload, int onlyElement = 0) :
-        m_payload {payload}, m_cursor {onlyElement}
-    {
-    }
+    explicit Writer(QByteArray &payload, int onlyElement = 0) : m_payload {payload}, m_cursor {onlyElement} { }
 
     template <typename Field> void element(const char *, const Field &field)
     {
@@ -137,18 +132,18 @@ private:
 
 /// The value in `payload`. `onlyElement` is the attribute of a single-element service: the other fields stay as they
 /// are in a new value. Malformed if the payload is short or long.
-template <typename Value> [[nodiscard]] values::Result<Value> decode(QByteArrayView payload, int onlyElement = 0)
+template <Described Value> [[nodiscard]] values::Result<Value> decode(QByteArrayView payload, int onlyElement = 0)
 {
     Value value;
     Reader reader {payload, onlyElement};
     Layout<Value>::describe(reader, value);
     if (!reader.isComplete())
-        return values::failure(values::ErrorKind::Malformed,
-            QStringLiteral("a payload of %1 bytes does not fit").arg(payload.size()));
+        return values::failure(
+            values::ErrorKind::Malformed, QStringLiteral("a payload of %1 bytes does not fit").arg(payload.size()));
     return value;
 }
 
-template <typename Value> [[nodiscard]] QByteArray encode(const Value &value, int onlyElement = 0)
+template <Described Value> [[nodiscard]] QByteArray encode(const Value &value, int onlyElement = 0)
 {
     QByteArray payload;
     Writer writer {payload, onlyElement};

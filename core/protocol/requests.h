@@ -10,11 +10,18 @@ namespace protocol {
 
 /// A typed order to the robot port: it knows its bytes, its effect and the value that answers it.
 template <typename R>
-concept TypedRequest = requires(const R &request, QByteArrayView payload) {
+concept TypedRequest = requires(const R &request, QByteArrayView payload)
+{
     typename R::Reply;
-    { R::effect } -> std::convertible_to<Effect>;
-    { request.request() } -> std::same_as<Request>;
-    { request.decode(payload) } -> std::same_as<values::Result<typename R::Reply>>;
+    {
+        R::effect
+        } -> std::convertible_to<Effect>;
+    {
+        request.request()
+        } -> std::same_as<Request>;
+    {
+        request.decode(payload)
+        } -> std::same_as<values::Result<typename R::Reply>>;
 };
 
 /// Reads every element of a payload.
@@ -24,7 +31,10 @@ template <quint16 command, typename Value> struct ReadAll {
     quint16 instance = 1;
 
     [[nodiscard]] Request request() const { return {command, instance, 0, Service::GetAll}; }
-    [[nodiscard]] values::Result<Value> decode(QByteArrayView payload) const { return protocol::decode<Value>(payload); }
+    [[nodiscard]] values::Result<Value> decode(QByteArrayView payload) const
+    {
+        return protocol::decode<Value>(payload);
+    }
 };
 
 /// Executes a single-word control command (reference §6).
@@ -41,7 +51,8 @@ template <quint16 command, quint16 instance, quint32 word, Effect kind> struct C
     [[nodiscard]] values::Result<void> decode(QByteArrayView) const { return {}; }
 };
 
-struct ReadStatus : ReadAll<0x72, values::Status> { };
+struct ReadStatus : ReadAll<0x72, values::Status> {
+};
 
 struct ReadExecutingJob : ReadAll<0x73, values::ExecutingJob> {
     /// `task` 0 is the master task, 1.. the sub tasks.
@@ -62,11 +73,17 @@ struct ReadSystemInformation : ReadAll<0x89, values::SystemInformation> {
     static ReadSystemInformation application(int application) { return {{quint16(100 + application)}}; }
 };
 
-struct HoldOn : Control<0x83, 1, 1, Effect::Stops> { };
-struct HoldOff : Control<0x83, 1, 2, Effect::Writes> { };
-struct ServoOn : Control<0x83, 2, 1, Effect::Starts> { };
-struct ServoOff : Control<0x83, 2, 2, Effect::Stops> { };
-struct HlockOn : Control<0x83, 3, 1, Effect::Writes> { };
-struct HlockOff : Control<0x83, 3, 2, Effect::Writes> { };
+struct HoldOn : Control<0x83, 1, 1, Effect::Stops> {
+};
+struct HoldOff : Control<0x83, 1, 2, Effect::Writes> {
+};
+struct ServoOn : Control<0x83, 2, 1, Effect::Starts> {
+};
+struct ServoOff : Control<0x83, 2, 2, Effect::Stops> {
+};
+struct HlockOn : Control<0x83, 3, 1, Effect::Writes> {
+};
+struct HlockOff : Control<0x83, 3, 2, Effect::Writes> {
+};
 
 } // namespace protocol

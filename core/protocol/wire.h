@@ -14,7 +14,7 @@ namespace protocol {
 template <typename Field> struct Wire;
 
 template <typename Number>
-    requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number>
 struct Wire<Number> {
     static constexpr qsizetype size = sizeof(Number);
     static Number load(const char *from) { return qFromLittleEndian<Number>(from); }
@@ -22,7 +22,7 @@ struct Wire<Number> {
 };
 
 template <typename Enum>
-    requires std::is_enum_v<Enum>
+requires std::is_enum_v<Enum>
 struct Wire<Enum> {
     using Number = std::underlying_type_t<Enum>;
     static constexpr qsizetype size = sizeof(Number);

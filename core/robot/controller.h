@@ -2,12 +2,15 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/holdorder.h"
 #include "robot/poller.h"
 #include "robot/robotstate.h"
-#include "session/session.h"
+#include "session/statistics.h"
 #include "settings/profile.h"
 #include <QTimer>
 #include <memory>
+
+class QHostAddress;
 
 namespace robot {
 
@@ -16,7 +19,7 @@ enum class LinkState {
     Disconnected, ///< Nobody asked for a link.
     Checking, ///< Asking; no valid reply to system information and status yet. Goes on until told to stop.
     Monitoring, ///< Values are live.
-    Lost, ///< Monitoring was, and three status reads in a row were missed. Reading resumes by itself.
+    Lost, ///< Was monitoring, then the status stayed away for three time-outs. Reading resumes by itself.
 };
 
 /// How far an order to hold has come. It ends in Confirmed, Refused or Unconfirmed.
@@ -36,7 +39,7 @@ public:
     /// When the present link state began, by this computer's clock.
     [[nodiscard]] QDateTime linkStateSince() const { return m_linkStateSince; }
     /// Why checking does not get on; empty while it does, and in the other states.
-    [[nodiscard]] std::optional<values::Error> trouble() const { return m_trouble; }
+    [[nodiscard]] const std::optional<values::Error> &trouble() const { return m_trouble; }
     /// How often communication was lost since open(); monitoring with a count over 0 is "monitoring again".
     [[nodiscard]] int timesLost() const { return m_timesLost; }
     [[nodiscard]] const RobotState &state() const { return *m_state; }
@@ -48,10 +51,10 @@ public:
 
     /// Begins checking. Nothing but reads is sent, now and whenever the link comes back.
     void open();
+    /// Ends the link and forgets what was read.
     void close();
 
-    /// HOLD on (0x83), at once and ahead of everything, whatever the link state except Disconnected. It is repeated until
-    /// the status confirms it or 2 s have passed.
+    /// HOLD on, at once and ahead of everything: see HoldOrder. Does nothing while Disconnected, when there is no link.
     void hold();
 
 Q_SIGNALS:
@@ -62,16 +65,32 @@ Q_SIGNALS:
     void holdProgressChanged();
 
 private:
-    // see controller.cpp
+    struct Link;
+
+    void resolve();
+    void openLink(const QHostAddress &address);
+    void dropLink();
+    void watch();
+    void onFinished(Topic topic, const std::optional<values::Error> &error);
+    void onStatusAnswered();
+    void setLinkState(LinkState state);
+    void setTrouble(const std::optional<values::Error> &trouble);
+    void setHold(HoldProgress progress, const std::optional<values::Error> &refusal = {});
+
     settings::Profile m_profile;
     RobotState *m_state;
-    Poller *m_poller = nullptr;
+    Poller *m_poller;
+    std::unique_ptr<Link> m_link;
     LinkState m_linkState = LinkState::Disconnected;
     QDateTime m_linkStateSince;
+    Time m_lastStatus {}; ///< When the status was last answered.
+    bool m_isIdentified = false; ///< The system information was answered.
     std::optional<values::Error> m_trouble;
     int m_timesLost = 0;
     HoldProgress m_holdProgress = HoldProgress::Idle;
     std::optional<values::Error> m_holdRefusal;
+    QTimer m_watch;
+    QTimer m_statisticsTimer;
 };
 
 } // namespace robot

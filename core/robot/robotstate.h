@@ -46,13 +46,13 @@ public:
     /// As of the last change or tick; a change of it is announced by changed().
     [[nodiscard]] Freshness freshness(Topic topic) const { return m_freshness[std::size_t(topic)]; }
 
-    void take(const values::Status &status, Time now);
-    void take(const values::ExecutingJob &job, Time now);
-    void takeBase(const values::Position &position, Time now);
-    void takePulse(const values::Position &position, Time now);
-    void takeBase(const values::AxisNames &names, Time now);
-    void takePulse(const values::AxisNames &names, Time now);
-    void take(const values::SystemInformation &information, Time now);
+    void takeStatus(const values::Status &status, Time now);
+    void takeJob(const values::ExecutingJob &job, Time now);
+    void takeBasePosition(const values::Position &position, Time now);
+    void takePulsePosition(const values::Position &position, Time now);
+    void takeBaseAxisNames(const values::AxisNames &names, Time now);
+    void takePulseAxisNames(const values::AxisNames &names, Time now);
+    void takeSystemInformation(const values::SystemInformation &information, Time now);
     void refuse(Topic topic, const values::Error &error, Time now);
 
     /// Looks at the clock: values that grew old become stale. Called a few times a period.
@@ -68,6 +68,7 @@ Q_SIGNALS:
 
 private:
     template <typename Function> void visit(Topic topic, Function function);
+    template <typename Value> void store(Reading<Value> &reading, Topic topic, const Value &value, Time now);
     void update(Topic topic, Time now, bool readAgain);
 
     Reading<values::Status> m_status;

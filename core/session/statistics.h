@@ -5,6 +5,7 @@
 #include <QtGlobal>
 #include <chrono>
 #include <optional>
+#include <vector>
 
 namespace session {
 
@@ -24,13 +25,21 @@ struct Counters {
     bool operator==(const Counters &) const = default;
 };
 
-/// Round trips of the last minute or so, and the loss among them.
+/// One second of a link.
+struct LinkSecond {
+    int sent = 0; ///< Tries that left.
+    int missed = 0; ///< Tries that were given up.
+    std::optional<std::chrono::microseconds> roundTrip; ///< The median; empty if nothing was answered.
+};
+
+/// The last minute of a link.
 struct LinkStatistics {
-    std::optional<std::chrono::microseconds> p50; ///< Empty before the first answer.
+    std::optional<std::chrono::microseconds> p50; ///< Round trip; empty before the first answer.
     std::optional<std::chrono::microseconds> p95;
-    double loss = 0; ///< Unanswered tries among the recent tries, 0 to 1.
+    double loss = 0; ///< Tries given up among tries sent, 0 to 1.
     int requestsPerSecond = 0; ///< Tries sent in the last full second.
     std::optional<std::chrono::milliseconds> lastAnswerAge; ///< Empty before the first answer.
+    std::vector<LinkSecond> seconds; ///< Oldest first, at most 60, up to the last full second.
     Counters counters;
 };
 

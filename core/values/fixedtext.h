@@ -9,8 +9,8 @@
 
 namespace values {
 
-/// Text of a fixed wire size: padded with NUL, without a terminator when full (reference §8). The bytes are kept as they
-/// came; protocol::TextCodec turns them into a QString and back. Never allocates.
+/// Text of a fixed wire size: padded with NUL, without a terminator when full (reference §8). The bytes are kept as
+/// they came; protocol::TextCodec turns them into a QString and back. Never allocates.
 template <qsizetype Size> class FixedText
 {
 public:

@@ -16,8 +16,7 @@ class AxisWords
 {
 public:
     constexpr AxisWords() = default;
-    constexpr AxisWords(std::initializer_list<qint32> words) :
-        m_count {int(words.size())}
+    constexpr AxisWords(std::initializer_list<qint32> words) : m_count {int(words.size())}
     {
         Q_ASSERT(words.size() <= maxAxes);
         std::copy(words.begin(), words.end(), m_words.begin());

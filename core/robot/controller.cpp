@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "robot/controller.h"
+
+#include "session/session.h"
+#include "session/udptransport.h"
+#include <QHostInfo>
+
+using namespace std::chrono_literals;
+using values::Error;
+using values::ErrorKind;
+
+namespace robot {
+
+namespace {
+
+constexpr auto watchPeriod = 50ms;
+constexpr auto statisticsPeriod = 500ms;
+constexpr auto resolvePause = 2s;
+constexpr int statusMissesUntilLost = 3;
+
+Time now() { return std::chrono::steady_clock::now(); }
+
+session::Policy policyOf(const settings::Profile &profile)
+{
+    session::Policy policy;
+    policy.timeout = profile.readTimeout;
+    policy.repeats = profile.readRepeats;
+    policy.servoTimeout = profile.servoTimeout;
+    policy.window = profile.window;
+    policy.requestsPerSecond = profile.requestsPerSecond;
+    return policy;
+}
+
+} // namespace
+
+/// What exists while a link is open. It is a child-less QObject: the context of everything that must end with the link.
+struct Controller::Link : QObject {
+    Link(const QHostAddress &address, const settings::Profile &profile)
+        : transport {address, profile.port}, session {transport, policyOf(profile)}
+    {
+    }
+
+    session::UdpTransport transport;
+    session::Session session;
+    QObject orders; ///< Parent of orders under way; they end before the session.
+};
+
+Controller::Controller(settings::Profile profile, QObject *parent)
+    : QObject {parent},
+      m_profile {std::move(profile)},
+      m_state {new RobotState {this}},
+      m_poller {new Poller {*m_state, this}},
+      m_linkStateSince {QDateTime::currentDateTime()}
+{
+    connect(m_poller, &Poller::finished, this, &Controller::onFinished);
+    connect(&m_watch, &QTimer::timeout, this, &Controller::watch);
+    connect(&m_statisticsTimer, &QTimer::timeout, this, &Controller::statisticsChanged);
+}
+
+Controller::~Controller() = default;
+
+session::LinkStatistics Controller::statistics() const
+{
+    return m_link ? m_link->session.statistics() : session::LinkStatistics {};
+}
+
+void Controller::open()
+{
+    if (m_linkState != LinkState::Disconnected)
+        return;
+    m_timesLost = 0;
+    m_isIdentified = false;
+    m_watch.start(watchPeriod);
+    m_statisticsTimer.start(statisticsPeriod);
+    setLinkState(LinkState::Checking);
+    resolve();
+}
+
+void Controller::resolve()
+{
+    if (const QHostAddress address {m_profile.host}; !address.isNull())
+        return openLink(address);
+    QHostInfo::lookupHost(m_profile.host, this, [this](const QHostInfo &found) {
+        if (m_linkState != LinkState::Checking || m_link)
+            return;
+        for (const QHostAddress &address : found.addresses()) {
+            if (address.protocol() == QAbstractSocket::IPv4Protocol)
+                return openLink(address);
+        }
+        setTrouble(
+            Error {ErrorKind::Network, 0, 0, tr("The name %1 is not known to this computer.").arg(m_profile.host)});
+        QTimer::singleShot(resolvePause, this, [this] {
+            if (m_linkState == LinkState::Checking && !m_link)
+                resolve();
+        });
+    });
+}
+
+void Controller::openLink(const QHostAddress &address)
+{
+    m_link = std::make_unique<Link>(address, m_profile);
+    m_poller->setProbing(true);
+    m_poller->start(m_link->session);
+}
+
+void Controller::close()
+{
+    if (m_linkState == LinkState::Disconnected)
+        return;
+    m_watch.stop();
+    m_statisticsTimer.stop();
+    dropLink();
+    setTrouble({});
+    setHold(HoldProgress::Idle);
+    m_state->setLinkUp(false, now());
+    m_state->clear();
+    setLinkState(LinkState::Disconnected);
+}
+
+/// The session may be the caller, several frames up: it goes when the event loop has control again.
+void Controller::dropLink()
+{
+    m_poller->stop();
+    if (m_link)
+        m_link.release()->deleteLater();
+}
+
+void Controller::onFinished(Topic topic, const std::optional<Error> &error)
+{
+    if (topic == Topic::SystemInformation && !error)
+        m_isIdentified = true;
+    if (topic == Topic::Status && (!error || error->kind == ErrorKind::Refused))
+        m_lastStatus = now();
+    if (m_linkState == LinkState::Checking && error)
+        setTrouble(error);
+    if (topic == Topic::Status && !error)
+        onStatusAnswered();
+}
+
+void Controller::onStatusAnswered()
+{
+    if (m_linkState == LinkState::Monitoring || !m_isIdentified)
+        return;
+    setTrouble({});
+    m_state->setLinkUp(true, now());
+    m_poller->setProbing(false);
+    setLinkState(LinkState::Monitoring);
+}
+
+/// Values grow old, and a status that stayed away for three time-outs means that communication is lost.
+void Controller::watch()
+{
+    const Time at = now();
+    if (m_linkState == LinkState::Monitoring && at - m_lastStatus > statusMissesUntilLost * m_profile.readTimeout) {
+        ++m_timesLost;
+        m_isIdentified = false; // another controller may answer next
+        m_poller->setProbing(true);
+        m_state->setLinkUp(false, at);
+        setLinkState(LinkState::Lost);
+    }
+    m_state->tick(at);
+}
+
+void Controller::hold()
+{
+    if (!m_link)
+        return;
+    auto *order = new HoldOrder {m_link->session, &m_link->orders};
+    connect(order, &HoldOrder::statusRead, this,
+        [this](const values::Status &status, Time at) { m_state->takeStatus(status, at); });
+    connect(order, &HoldOrder::finished, this, [this](HoldOrder::Outcome outcome, const std::optional<Error> &refusal) {
+        switch (outcome) {
+        case HoldOrder::Outcome::Confirmed: return setHold(HoldProgress::Confirmed);
+        case HoldOrder::Outcome::Refused: return setHold(HoldProgress::Refused, refusal);
+        case HoldOrder::Outcome::Unconfirmed: return setHold(HoldProgress::Unconfirmed);
+        }
+    });
+    setHold(HoldProgress::Sent);
+    order->start();
+}
+
+void Controller::setLinkState(LinkState state)
+{
+    if (std::exchange(m_linkState, state) == state)
+        return;
+    m_linkStateSince = QDateTime::currentDateTime();
+    Q_EMIT linkStateChanged();
+}
+
+void Controller::setTrouble(const std::optional<Error> &trouble)
+{
+    if (std::exchange(m_trouble, trouble) != trouble)
+        Q_EMIT troubleChanged();
+}
+
+void Controller::setHold(HoldProgress progress, const std::optional<Error> &refusal)
+{
+    m_holdRefusal = refusal;
+    m_holdProgress = progress;
+    Q_EMIT holdProgressChanged();
+}
+
+} // namespace robot

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "protocol/effect.h"
+#include <chrono>
+
+namespace session {
+
+using Time = std::chrono::steady_clock::time_point;
+using Milliseconds = std::chrono::milliseconds;
+
+/// Who goes first. A stop waits for nothing, not even for the window or the ceiling.
+enum class Priority { Stop, Control, Page, Background };
+constexpr int priorityCount = 4;
+
+/// How long and how often a session asks. Effect decides which of these applies, and nothing else does.
+struct Policy {
+    Milliseconds timeout {300}; ///< The longest wait for one try of a read, and before the next try of a stop.
+    int repeats = 2; ///< How often an unanswered read is repeated, with the same id.
+    Milliseconds controlTimeout {1000}; ///< For the single try of a write, a start or a move.
+    Milliseconds servoTimeout {8000}; ///< The answer to a start may come only when power is on (reference §11).
+    Milliseconds stopPeriod {2000}; ///< A stop is repeated until it is answered, or for this long.
+    Milliseconds idLinger {2000}; ///< How long an answer may still come to a try that was not answered.
+    Milliseconds busyLeast {50}; ///< A read answered "busy" is asked again after a random wait between these two.
+    Milliseconds busyMost {200};
+    int busyRepeats = 5; ///< How often at the most.
+    int window = 1; ///< Requests outstanding at once, 1 to 8.
+    int requestsPerSecond = 100; ///< Ceiling of everything but stops; 0 for none.
+
+    /// From the first try to giving up.
+    [[nodiscard]] Milliseconds patience(protocol::Effect effect) const
+    {
+        using protocol::Effect;
+        switch (effect) {
+        case Effect::Reads: return timeout * (1 + repeats);
+        case Effect::Stops: return stopPeriod;
+        case Effect::Starts: return servoTimeout;
+        case Effect::Writes:
+        case Effect::Moves: break;
+        }
+        return controlTimeout;
+    }
+};
+
+} // namespace session

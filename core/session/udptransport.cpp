@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "session/udptransport.h"
+
+#include <QUdpSocket>
+
+namespace session {
+
+namespace {
+
+/// More would let one busy socket starve the others in the thread.
+constexpr int datagramsPerEvent = 16;
+
+} // namespace
+
+UdpTransport::UdpTransport(const QHostAddress &address, quint16 port, QObject *parent)
+    : Transport {parent}, m_address {address}, m_port {port}, m_socket {new QUdpSocket {this}}
+{
+    connect(m_socket, &QUdpSocket::readyRead, this, &UdpTransport::drain);
+    m_socket->bind(QHostAddress {QHostAddress::AnyIPv4}, 0);
+}
+
+UdpTransport::~UdpTransport() = default;
+
+values::Result<void> UdpTransport::send(QByteArrayView datagram)
+{
+    if (m_socket->writeDatagram(datagram.data(), datagram.size(), m_address, m_port) == datagram.size())
+        return {};
+    return values::failure(values::ErrorKind::Network, m_socket->errorString());
+}
+
+void UdpTransport::drain()
+{
+    QHostAddress sender;
+    quint16 port = 0;
+    for (int i = 0; i < datagramsPerEvent && m_socket->hasPendingDatagrams(); ++i) {
+        const qint64 size = m_socket->readDatagram(m_buffer.data(), qint64(m_buffer.size()), &sender, &port);
+        if (size < 0)
+            return; // an ICMP error of an earlier datagram; the request's own deadline tells
+        if (port != m_port || !sender.isEqual(m_address, QHostAddress::TolerantConversion))
+            Q_EMIT receivedFromStranger();
+        else
+            Q_EMIT received(QByteArrayView {m_buffer.data(), size});
+    }
+}
+
+} // namespace session

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "settings/profilestore.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QSettings>
+
+namespace settings {
+
+namespace {
+
+QString tr(const char *text) { return QCoreApplication::translate("settings::Profile", text); }
+
+QString keyOf(const QString &name)
+{
+    return QStringLiteral("profiles/") + QString::fromLatin1(name.toUtf8().toPercentEncoding());
+}
+
+/// The numbers of a profile: JSON key, label, range, and where they live. Reader, writer and checker go through this
+/// list.
+void describe(auto &&visit, auto &profile)
+{
+    visit("port", QT_TRANSLATE_NOOP("settings::Profile", "Port"), 1, 65535, profile.port);
+    visit("filePort", QT_TRANSLATE_NOOP("settings::Profile", "File port"), 1, 65535, profile.filePort);
+    visit("readTimeoutMs", QT_TRANSLATE_NOOP("settings::Profile", "Read time-out"), 20, 60000, profile.readTimeout);
+    visit("fileTimeoutMs", QT_TRANSLATE_NOOP("settings::Profile", "File time-out"), 100, 600000, profile.fileTimeout);
+    visit("servoTimeoutMs", QT_TRANSLATE_NOOP("settings::Profile", "Servo time-out"), 100, 60000, profile.servoTimeout);
+    visit("readRepeats", QT_TRANSLATE_NOOP("settings::Profile", "Repeats of a read"), 0, 10, profile.readRepeats);
+    visit("window", QT_TRANSLATE_NOOP("settings::Profile", "Requests outstanding at once"), 1, 8, profile.window);
+    visit("requestsPerSecond", QT_TRANSLATE_NOOP("settings::Profile", "Requests a second"), 1, 10000,
+        profile.requestsPerSecond);
+}
+
+qint64 number(std::chrono::milliseconds duration) { return duration.count(); }
+qint64 number(qint64 value) { return value; }
+
+QString rangeSentence(const char *label, int least, int most)
+{
+    return tr("%1 must be a whole number from %2 to %3.").arg(tr(label)).arg(least).arg(most);
+}
+
+} // namespace
+
+QJsonObject toJson(const Profile &profile)
+{
+    QJsonObject json {{QStringLiteral("name"), profile.name}, {QStringLiteral("host"), profile.host},
+        {QStringLiteral("model"), QLatin1StringView(protocol::dialect(profile.model).key)}};
+    describe([&](const char *key, const char *, int, int,
+                 const auto &value) { json[QLatin1StringView(key)] = number(value); },
+        profile);
+    return json;
+}
+
+values::Result<Profile> profileFromJson(const QJsonObject &json)
+{
+    using values::ErrorKind;
+    Profile profile;
+    profile.name = json.value(u"name").toString();
+    profile.host = json.value(u"host").toString();
+    const QString model = json.value(u"model").toString();
+    if (const auto *dialect = protocol::findDialect(model))
+        profile.model = dialect->model;
+    else
+        return values::failure(ErrorKind::BadInput, tr("The model “%1” is not known.").arg(model));
+    QString trouble;
+    describe(
+        [&](const char *key, const char *label, int least, int most, auto &value) {
+            const double given = json.value(QLatin1StringView(key)).toDouble(-1);
+            if (given < least || given > most || given != int(given))
+                trouble = trouble.isEmpty() ? rangeSentence(label, least, most) : trouble;
+            else
+                value = std::remove_reference_t<decltype(value)>(int(given));
+        },
+        profile);
+    if (trouble.isEmpty())
+        trouble = complaint(profile);
+    if (!trouble.isEmpty())
+        return values::failure(ErrorKind::BadInput, trouble);
+    return profile;
+}
+
+QString complaint(const Profile &profile)
+{
+    if (profile.name.trimmed().isEmpty())
+        return tr("The profile needs a name.");
+    if (profile.host.trimmed().isEmpty())
+        return tr("The profile needs the controller's host name or IPv4 address.");
+    QString trouble;
+    describe(
+        [&](const char *, const char *label, int least, int most, const auto &value) {
+            if (trouble.isEmpty() && (number(value) < least || number(value) > most))
+                trouble = rangeSentence(label, least, most);
+        },
+        profile);
+    return trouble;
+}
+
+ProfileStore::ProfileStore(QSettings &settings) : m_settings {settings} { }
+
+QList<Profile> ProfileStore::profiles() const
+{
+    QList<Profile> found;
+    m_settings.beginGroup(QStringLiteral("profiles"));
+    for (const QString &key : m_settings.childKeys()) {
+        const auto json = QJsonDocument::fromJson(m_settings.value(key).toString().toUtf8());
+        if (const auto profile = profileFromJson(json.object()))
+            found.append(*profile);
+    }
+    m_settings.endGroup();
+    std::ranges::sort(found, {}, &Profile::name);
+    return found;
+}
+
+std::optional<Profile> ProfileStore::find(const QString &name) const
+{
+    for (const Profile &profile : profiles()) {
+        if (profile.name == name)
+            return profile;
+    }
+    return std::nullopt;
+}
+
+void ProfileStore::save(const Profile &profile)
+{
+    const QByteArray json = QJsonDocument {toJson(profile)}.toJson(QJsonDocument::Compact);
+    m_settings.setValue(keyOf(profile.name), QString::fromUtf8(json));
+}
+
+void ProfileStore::remove(const QString &name) { m_settings.remove(keyOf(name)); }
+
+QString ProfileStore::lastUsed() const { return m_settings.value(QStringLiteral("lastProfile")).toString(); }
+
+void ProfileStore::setLastUsed(const QString &name) { m_settings.setValue(QStringLiteral("lastProfile"), name); }
+
+} // namespace settings

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "settings/profile.h"
+#include "values/error.h"
+#include <QJsonObject>
+#include <QList>
+#include <optional>
+
+class QSettings;
+
+namespace settings {
+
+/// A profile as JSON and back, with a sentence for the first value that is missing or out of range.
+[[nodiscard]] QJsonObject toJson(const Profile &profile);
+[[nodiscard]] values::Result<Profile> profileFromJson(const QJsonObject &json);
+
+/// What is wrong with a profile, as a translated sentence; empty if nothing is.
+[[nodiscard]] QString complaint(const Profile &profile);
+
+/// The controllers that this user knows, kept in QSettings.
+class ProfileStore
+{
+public:
+    /// `settings` must outlive the store.
+    explicit ProfileStore(QSettings &settings);
+
+    /// In the order of their names; an entry that cannot be read is left out and left alone.
+    [[nodiscard]] QList<Profile> profiles() const;
+    [[nodiscard]] std::optional<Profile> find(const QString &name) const;
+    /// Adds the profile, or replaces the one of the same name.
+    void save(const Profile &profile);
+    void remove(const QString &name);
+
+    /// The profile that was connected last; empty if none.
+    [[nodiscard]] QString lastUsed() const;
+    void setLastUsed(const QString &name);
+
+private:
+    QSettings &m_settings;
+};
+
+} // namespace settings
