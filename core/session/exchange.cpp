@@ -255,17 +255,15 @@ std::optional<Time> Exchange::nextDeadline(Time now) const
         if (!protocol::isRepeatable(open.order.effect) && open.firstSent + m_policy.timeout > now)
             next = std::min(next, open.firstSent + m_policy.timeout);
     }
-    const bool isFull = outstanding(now) >= m_policy.window;
+    if (outstanding(now) >= m_policy.window)
+        return next == Time::max() ? std::nullopt : std::optional {next}; // an answer or a deadline makes room first
+    const Time nextId = m_ids.nextFree(now);
     for (const auto &queue : m_waiting) {
         for (const Waiting &order : queue) {
-            if (isFull)
-                break; // an answer or a deadline makes room first
-            next = std::min(next, std::max({order.notBefore, m_nextSlot, now}));
+            next = std::min(next, std::max({order.notBefore, m_nextSlot, nextId, now}));
             if (order.notBefore <= now)
                 break;
         }
-        if (!queue.empty() && m_ids.nextWake())
-            next = std::min(next, std::max(now, *m_ids.nextWake()));
     }
     return next == Time::max() ? std::nullopt : std::optional {next};
 }

@@ -46,10 +46,12 @@ public:
     void giveBack(quint8 id) { m_free.push_back(id); }
     /// A try of the id was not answered: it rests until `until`.
     void rest(quint8 id, Time until) { m_resting.push_back({id, until}); }
-    /// When the next resting id wakes; nullopt if none rests.
-    [[nodiscard]] std::optional<Time> nextWake() const
+    /// When an id can be taken: `now`, or later if all others are in use or resting.
+    [[nodiscard]] Time nextFree(Time now) const
     {
-        return m_resting.empty() ? std::nullopt : std::optional {m_resting.front().until};
+        if (!m_free.empty())
+            return now;
+        return m_resting.empty() ? Time::max() : std::max(now, m_resting.front().until);
     }
 
 private:
