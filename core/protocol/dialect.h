@@ -10,7 +10,7 @@
 namespace protocol {
 
 enum class Model { DX100, DX200, FS100, YRC1000, YRC1000micro };
-constexpr std::array allModels {Model::DX100, Model::DX200, Model::FS100, Model::YRC1000, Model::YRC1000micro};
+inline constexpr std::array allModels {Model::DX100, Model::DX200, Model::FS100, Model::YRC1000, Model::YRC1000micro};
 
 /// Instances first..last, both included.
 struct InstanceRange {
