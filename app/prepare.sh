@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: The Pendesk authors
+# Read by app/run and tests/run: installs what is missing, configures, builds. A second time it takes seconds.
+
+# One line a need; where distributions disagree about a name, the first one that exists is taken.
+packages='
+g++
+cmake
+ninja-build
+qt6-base-dev
+qt6-svg-dev libqt6svg6-dev
+qt6-wayland
+libexpected-dev libtl-expected-dev
+fonts-inter
+fonts-dejavu-core
+'
+
+say() { printf '%s\n' "$*" >&2; }
+die() { say "$*"; exit 1; }
+
+is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+# Prints the needs of which no alternative is installed.
+missing_needs() {
+    while read -r need; do
+        found=
+        for package in $need; do
+            if is_installed "$package"; then found=yes; fi
+        done
+        if [ -n "$need" ] && [ -z "$found" ]; then printf '%s\n' "$need"; fi
+    done <<EOF
+$packages
+EOF
+}
+
+# Prints the first alternative of a need that this distribution has.
+choose() {
+    for package in "$@"; do
+        if apt-cache show "$package" >/dev/null 2>&1; then
+            printf '%s\n' "$package"
+            return
+        fi
+    done
+    printf '%s\n' "$1"
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+install_missing() {
+    if ! command -v apt-get >/dev/null; then
+        say "This system has no apt-get; Pendesk is built with what is installed (see README.md, \"Other systems\")."
+        return
+    fi
+    needs=$(missing_needs)
+    if [ -z "$needs" ]; then return; fi
+    say "To build and show Pendesk, these packages are installed with apt-get:" $needs
+    if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+        die "That takes root, and there is no sudo: install them as root, then run this again."
+    fi
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq || die "apt-get update failed; see above."
+    chosen=$(printf '%s\n' "$needs" | while read -r need; do choose $need; done)
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $chosen >&2 ||
+        die "apt-get could not install everything; see above."
+}
+
+# build PRESET [TARGET…]: configures once and builds what changed.
+build() {
+    preset=$1
+    shift
+    mkdir -p build
+    if [ ! -f "build/$preset/build.ninja" ]; then
+        say "Configuring (preset $preset)…"
+        cmake --preset "$preset" >build/configure.log 2>&1 || { cat build/configure.log >&2; rm -f build/configure.log; die "Configuring failed; see above."; }
+        rm -f build/configure.log
+    fi
+    say "Building (preset $preset)…"
+    cmake --build --preset "$preset" ${1:+--target "$@"} >&2 || die "The build failed; see above."
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "virtualcontroller/execution.h"
+
+#include "virtualcontroller/kinematics.h"
+#include "virtualcontroller/machine.h"
+#include "virtualcontroller/speed.h"
+
+using protocol::IoArea;
+using values::Status;
+
+namespace virtualcontroller
+{
+
+namespace
+{
+
+constexpr Time lookAgain = 20ms; ///< How often WAIT looks at its signal.
+constexpr std::size_t deepestCall = 8;
+
+Time seconds(const QByteArray &text) { return Time {qint64(text.toDouble() * 1000)}; }
+
+/// The number in "IN#(12)" and the like.
+int signalNumber(const QByteArray &operand)
+{
+    const auto open = operand.indexOf('(');
+    return operand.sliced(open + 1).chopped(1).toInt();
+}
+
+std::optional<IoArea> signalArea(const QByteArray &operand)
+{
+    if (operand.startsWith("IN#("))
+        return IoArea::UserInput;
+    if (operand.startsWith("OT#("))
+        return IoArea::UserOutput;
+    return std::nullopt;
+}
+
+/// The B variable that "B012" names; nullptr for anything else.
+quint8 *byteVariable(Memory &memory, const QByteArray &operand)
+{
+    bool ok = false;
+    const uint number = operand.startsWith('B') ? operand.sliced(1).toUInt(&ok) : 0;
+    return ok && number < memory.bytes.size() ? &memory.bytes[number] : nullptr;
+}
+
+/// The value of "B012", "IN#(3)", "ON", "OFF" or a number.
+int valueOf(Memory &memory, const QByteArray &operand)
+{
+    if (const auto area = signalArea(operand))
+        return memory.signal(*area, signalNumber(operand));
+    if (const quint8 *byte = byteVariable(memory, operand))
+        return *byte;
+    return operand == "ON" ? 1 : operand.toInt();
+}
+
+/// A comparison such as "IN#(1)=ON" or "B000>=3".
+bool isTrue(Memory &memory, const QByteArray &condition)
+{
+    const auto at = condition.indexOf('=') >= 0 ? condition.indexOf('=') : condition.indexOf('>');
+    const auto split = at >= 0 ? at : condition.indexOf('<');
+    if (split < 1)
+        return false;
+    const char before = condition[split - 1];
+    const bool hasTwo = before == '<' || before == '>';
+    const QByteArray sign = condition.mid(hasTwo ? split - 1 : split, hasTwo ? 2 : 1);
+    const int left = valueOf(memory, condition.first(hasTwo ? split - 1 : split));
+    const int right = valueOf(memory, condition.sliced(split + 1));
+    if (sign == "=")
+        return left == right;
+    if (sign == "<")
+        return left < right;
+    if (sign == ">")
+        return left > right;
+    return sign == "<=" ? left <= right : left >= right;
+}
+
+/// True unless the instruction ends with "IF ..." and that is not so.
+bool applies(Memory &memory, const Instruction &instruction)
+{
+    const auto at = instruction.words.indexOf("IF");
+    return at < 0 || isTrue(memory, instruction.operand(int(at) + 1));
+}
+
+Speed speedOf(const Instruction &instruction)
+{
+    if (const auto percent = instruction.valueOf("VJ=").toDouble(); percent > 0)
+        return {Speed::Kind::Percent, percent};
+    if (const auto rotation = instruction.valueOf("VR=").toDouble(); rotation > 0)
+        return {Speed::Kind::Rotation, rotation};
+    const auto linear = instruction.valueOf("V=").toDouble();
+    return {Speed::Kind::Linear, linear > 0 ? linear : 100};
+}
+
+/// Begins a move of the first robot; how long it takes.
+Time beginMove(Memory &memory, const Task &task, const Instruction &instruction)
+{
+    const auto &positions = task.stack.back().program->positions;
+    const auto found = positions.find(instruction.operand(1));
+    if (found == positions.end() || memory.groups.empty())
+        return 0ms;
+    Group &robot = memory.groups.front();
+    const auto &position = found->second;
+    auto target = position.type == values::PositionType::Pulse ? kinematics::toCartesian(position.axes) : position.axes;
+    target.resize(robot.pose.count());
+    Speed speed = speedOf(instruction);
+    speed.value *= std::max(task.speedOverride, 1U) / 10000.0;
+    const Time takes = travelTime(robot.pose, target, speed);
+    robot.motion = Motion {robot.pose, target, memory.now, memory.now + takes};
+    return takes;
+}
+
+Time durationOf(Memory &memory, const Task &task, const Instruction &instruction)
+{
+    const Time least = std::max(memory.settings.lineTime, 1ms);
+    if (instruction.isMove())
+        return std::max(beginMove(memory, task, instruction), least);
+    if (instruction.word() == "TIMER")
+        return std::max(seconds(instruction.valueOf("T=")), least);
+    return least;
+}
+
+void beginLine(Memory &memory, Task &task)
+{
+    const Frame &frame = task.stack.back();
+    task.isExecuting = true;
+    task.begun = memory.now;
+    task.due = memory.now + durationOf(memory, task, frame.program->lines[std::size_t(frame.line)]);
+}
+
+/// True while WAIT has neither its signal nor its time.
+bool isWaiting(Memory &memory, const Task &task, const Instruction &instruction)
+{
+    if (instruction.word() != "WAIT" || isTrue(memory, instruction.operand(1)))
+        return false;
+    const QByteArray limit = instruction.valueOf("T=");
+    return limit.isEmpty() || memory.now < task.begun + seconds(limit);
+}
+
+void setVariable(Memory &memory, const Instruction &instruction)
+{
+    quint8 *variable = byteVariable(memory, instruction.operand(1));
+    if (!variable)
+        return;
+    const QByteArray word = instruction.word();
+    if (word == "SET" || word == "DIN")
+        *variable = quint8(valueOf(memory, instruction.operand(2)));
+    else if (word == "INC")
+        ++*variable;
+    else if (word == "DEC")
+        --*variable;
+}
+
+void setOutput(Memory &memory, const Instruction &instruction)
+{
+    if (instruction.word() == "DOUT")
+        memory.setSignal(IoArea::UserOutput, signalNumber(instruction.operand(1)), instruction.operand(2) == "ON");
+}
+
+/// The job in "JOB:NAME".
+std::shared_ptr<const Program> jobOperand(const Memory &memory, const Instruction &instruction)
+{
+    const QByteArray operand = instruction.operand(1);
+    return operand.startsWith("JOB:") ? memory.program(operand.sliced(4)) : nullptr;
+}
+
+/// END or RET: back to the caller, or the end of the cycle.
+void leave(Memory &memory, Task &task)
+{
+    if (task.stack.size() > 1) {
+        task.stack.pop_back();
+        ++task.stack.back().line;
+        return;
+    }
+    task.stack.back().line = 0;
+    if (!(memory.status.data1 & Status::Continuous))
+        stopRunning(memory);
+}
+
+/// Goes where the instruction at the top of the stack leads.
+void goOn(Memory &memory, Task &task, const Instruction &instruction)
+{
+    Frame &frame = task.stack.back();
+    const QByteArray word = instruction.word();
+    if (word == "END" || (word == "RET" && applies(memory, instruction)))
+        return leave(memory, task);
+    const bool goes = applies(memory, instruction);
+    if (const auto job = goes ? jobOperand(memory, instruction) : nullptr; job && word == "CALL") {
+        if (task.stack.size() < deepestCall)
+            task.stack.push_back({job, 0});
+    } else if (job && word == "JUMP") {
+        frame = {job, 0};
+    } else if (const auto label = frame.program->labels.find(instruction.operand(1));
+               goes && word == "JUMP" && label != frame.program->labels.end()) {
+        frame.line = label->second;
+    } else {
+        ++frame.line;
+    }
+}
+
+void finishLine(Memory &memory, Task &task)
+{
+    const Frame frame = task.stack.back();
+    const Instruction &instruction = frame.program->lines[std::size_t(frame.line)];
+    if (isWaiting(memory, task, instruction)) {
+        task.due = memory.now + lookAgain;
+        return;
+    }
+    setVariable(memory, instruction);
+    setOutput(memory, instruction);
+    task.isExecuting = false;
+    goOn(memory, task, instruction);
+    if ((memory.status.data1 & Status::Step) || (instruction.word() == "PAUSE" && applies(memory, instruction)))
+        stopRunning(memory);
+}
+
+} // namespace
+
+Time nextLine(const Memory &memory)
+{
+    return memory.isJobRunning && !memory.tasks.front().stack.empty() ? memory.tasks.front().due : Time::max();
+}
+
+void executeDueLines(Memory &memory)
+{
+    if (nextLine(memory) > memory.now)
+        return;
+    Task &task = memory.tasks.front();
+    if (task.isExecuting)
+        finishLine(memory, task);
+    if (memory.isJobRunning && !task.isExecuting)
+        beginLine(memory, task);
+}
+
+} // namespace virtualcontroller

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "protocol/packet.h"
+
+/// Frames as the controller judges and makes them (reference §1.4, §1.5, §1.7).
+namespace virtualcontroller
+{
+
+/// What becomes of a datagram before anybody looks at what it asks for.
+struct FrameVerdict {
+    bool isDropped = false; ///< Nothing is answered.
+    quint16 code = 0; ///< The added status to refuse it with, 0 for a good frame.
+};
+
+/// Frame faults of a datagram that came to the port of `division`.
+[[nodiscard]] FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division);
+/// The robot port takes only requests: ACK 0, block 0. An added status or 0.
+[[nodiscard]] quint16 robotFramingFault(const protocol::Framing &framing);
+
+/// A reply without payload. `bare`: 0xA000, 0xA001 and 0xA002 become the statuses 0x08, 0x28 and 0x09 (reference §1.6).
+[[nodiscard]] QByteArray refusalReply(const protocol::ClientPacket &packet, quint16 code, bool bare = false);
+[[nodiscard]] QByteArray successReply(const protocol::ClientPacket &packet, quint32 block, QByteArrayView payload);
+
+} // namespace virtualcontroller
