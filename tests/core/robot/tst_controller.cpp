@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "robot/controller.h"
+#include "robot/diagnosis.h"
+#include "virtualcontroller/server.h"
+#include <QSignalSpy>
+#include <QTest>
+#include <QUdpSocket>
+
+using namespace std::chrono_literals;
+using namespace robot;
+using values::ErrorKind;
+using virtualcontroller::Server;
+
+namespace {
+
+virtualcontroller::Options onAnyPort(quint16 port = 0)
+{
+    virtualcontroller::Options options;
+    options.port = port;
+    options.filePort = 0;
+    return options;
+}
+
+settings::Profile profileOf(quint16 port, quint16 filePort = 1)
+{
+    settings::Profile profile;
+    profile.name = QStringLiteral("Test");
+    profile.host = QStringLiteral("127.0.0.1");
+    profile.port = port;
+    profile.filePort = filePort;
+    profile.readTimeout = 100ms;
+    return profile;
+}
+
+} // namespace
+
+class TestController : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void readsWhatTheControllerHolds()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        Controller controller {profileOf(server.port())};
+        const auto interest = controller.poller().want(
+            {Topic::Job, Topic::BasePosition, Topic::PulsePosition, Topic::BaseAxisNames, Topic::PulseAxisNames});
+        controller.open();
+        QCOMPARE(controller.linkState(), LinkState::Checking);
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        for (int topic = 0; topic < topicCount; ++topic)
+            QTRY_COMPARE(controller.state().freshness(Topic(topic)), Freshness::Live);
+        const RobotState &state = controller.state();
+        QCOMPARE(*state.status().value, server.memory().status);
+        QCOMPARE(state.baseAxisNames().value->names[0].bytes(), QByteArrayView("X"));
+        QCOMPARE(state.pulseAxisNames().value->names[0].bytes(), QByteArrayView("S"));
+        QCOMPARE(state.basePosition().value->type, values::PositionType::Base);
+        QVERIFY(controller.statistics().p50.has_value());
+    }
+
+    void aTopicNobodyWantsIsNotRead()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        Controller controller {profileOf(server.port())};
+        controller.open();
+        auto interest = controller.poller().want({Topic::Job});
+        QTRY_COMPARE(controller.state().freshness(Topic::Job), Freshness::Live);
+        QCOMPARE(controller.state().freshness(Topic::BasePosition), Freshness::Unknown);
+        interest.reset();
+        QTRY_COMPARE(controller.state().freshness(Topic::Job), Freshness::Stale);
+        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Live);
+    }
+
+    void aLostLinkMakesEverythingStaleAndComesBack()
+    {
+        auto server = std::make_unique<Server>(onAnyPort());
+        QVERIFY(server->start());
+        const quint16 port = server->port();
+        Controller controller {profileOf(port)};
+        controller.open();
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        server.reset();
+        QTRY_COMPARE(controller.linkState(), LinkState::Lost);
+        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Stale);
+        QCOMPARE(controller.state().freshness(Topic::SystemInformation), Freshness::Stale);
+        QVERIFY(controller.state().status().value);
+        Server again {onAnyPort(port)};
+        QVERIFY(again.start());
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        QCOMPARE(controller.timesLost(), 1);
+        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Live);
+    }
+
+    void aSilentPortIsCheckedUntilItAnswers()
+    {
+        QUdpSocket reserved;
+        QVERIFY(reserved.bind(QHostAddress::LocalHost, 0));
+        const quint16 port = reserved.localPort();
+        Controller controller {profileOf(port)};
+        controller.open();
+        QTRY_VERIFY(controller.trouble());
+        QCOMPARE(controller.trouble()->kind, ErrorKind::NoAnswer);
+        QCOMPARE(controller.linkState(), LinkState::Checking);
+        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Unknown);
+        reserved.close();
+        Server server {onAnyPort(port)};
+        QVERIFY(server.start());
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        QVERIFY(!controller.trouble());
+    }
+
+    void anUnknownNameIsSaid()
+    {
+        auto profile = profileOf(10040);
+        profile.host = QStringLiteral("no-such-controller.invalid");
+        Controller controller {profile};
+        controller.open();
+        QTRY_VERIFY_WITH_TIMEOUT(controller.trouble(), 20000);
+        QCOMPARE(controller.trouble()->kind, ErrorKind::Network);
+    }
+
+    void holdIsConfirmedByTheStatus()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        Controller controller {profileOf(server.port())};
+        controller.hold(); // no link yet: nothing happens
+        QCOMPARE(controller.holdProgress(), HoldProgress::Idle);
+        controller.open();
+        controller.hold(); // while checking
+        QCOMPARE(controller.holdProgress(), HoldProgress::Sent);
+        QTRY_COMPARE(controller.holdProgress(), HoldProgress::Confirmed);
+        QVERIFY(server.memory().status.data2 & values::Status::HeldByCommand);
+    }
+
+    void holdWithoutAnAnswerIsNeverCalledConfirmed()
+    {
+        QUdpSocket silent;
+        QVERIFY(silent.bind(QHostAddress::LocalHost, 0));
+        Controller controller {profileOf(silent.localPort())};
+        controller.open();
+        controller.hold();
+        QTRY_COMPARE(controller.holdProgress(), HoldProgress::Unconfirmed);
+        int holds = 0;
+        while (silent.hasPendingDatagrams()) {
+            QByteArray datagram(64, '\0');
+            datagram.resize(silent.readDatagram(datagram.data(), datagram.size()));
+            holds += protocol::parseClientPacket(datagram)->command == 0x83;
+        }
+        QVERIFY(holds >= 7); // every 100 ms at the latest, for 2 s, on a link that was never measured
+    }
+
+    void closingForgets()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        Controller controller {profileOf(server.port())};
+        connect(&controller, &Controller::linkStateChanged, this, [&] {
+            if (controller.linkState() == LinkState::Monitoring)
+                controller.close(); // from inside a handler of its own session
+        });
+        controller.open();
+        QSignalSpy states {&controller, &Controller::linkStateChanged};
+        QTRY_COMPARE(states.count(), 2);
+        QCOMPARE(controller.linkState(), LinkState::Disconnected);
+        QVERIFY(!controller.state().status().value);
+        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Unknown);
+    }
+
+    void diagnosis_data()
+    {
+        QTest::addColumn<QByteArray>("noise"); // what the port answers; empty for silence, "sim" for a controller
+        QTest::addColumn<QString>("outcomes"); // P passed, F failed, S skipped
+        QTest::newRow("silent") << QByteArray {} << QStringLiteral("PPFSS");
+        QTest::newRow("not HSES") << QByteArray {"hello"} << QStringLiteral("PPFSS");
+        QTest::newRow("controller, no files") << QByteArray {"sim"} << QStringLiteral("PPPPF");
+    }
+
+    void diagnosis()
+    {
+        QFETCH(QByteArray, noise);
+        QFETCH(QString, outcomes);
+        Server server {onAnyPort()};
+        QUdpSocket silent;
+        QVERIFY(server.start() && silent.bind(QHostAddress::LocalHost, 0));
+        connect(&silent, &QUdpSocket::readyRead, this, [&] {
+            QHostAddress peer;
+            quint16 port = 0;
+            char request = 0;
+            silent.readDatagram(&request, 1, &peer, &port);
+            if (!noise.isEmpty())
+                silent.writeDatagram(noise, peer, port);
+        });
+        Diagnosis diagnosis {profileOf(noise == "sim" ? server.port() : silent.localPort())};
+        QSignalSpy finished {&diagnosis, &Diagnosis::finished};
+        diagnosis.start();
+        QTRY_COMPARE(finished.count(), 1);
+        QString seen;
+        for (const Rung &rung : diagnosis.rungs()) {
+            seen += QStringLiteral("PFS")[int(rung.outcome)];
+            QVERIFY(!rung.sentence.isEmpty());
+            QCOMPARE(rung.remedy.isEmpty(), rung.outcome != Rung::Outcome::Failed);
+        }
+        QCOMPARE(seen, outcomes);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestController)
+#include "tst_controller.moc"
