@@ -50,7 +50,7 @@ Ranges servoBoards(const Dialect &d) { return onlyIf(d.hasTemperatures, {{1, 2}}
 Ranges timeCounters(const Dialect &d)
 {
     Ranges ranges {{1, 1}};
-    for (const quint16 base : {10, 110, 210})
+    for (const quint16 base : {quint16(10), quint16(110), quint16(210)})
         ranges += {InstanceRange {base, base}, numbered(base, d.robots), numbered(base + 10, d.stations)};
     return ranges + Ranges {numbered(300, d.applications)};
 }
@@ -166,8 +166,9 @@ const QList<Service> plural {ReadPlural, WritePlural};
 using RangesOf = Ranges (*)(const Dialect &);
 using EffectOf = Effect (*)(const Request &);
 
-template <typename Value> Command row(quint16 number, const char *name, const QList<Service> &services,
-    RangesOf instances, EffectOf effect, AllAttribute attribute = AllAttribute::Zero, RangesOf writable = nullptr)
+template <typename Value>
+Command row(quint16 number, const char *name, const QList<Service> &services, RangesOf instances, EffectOf effect,
+    AllAttribute attribute = AllAttribute::Zero, RangesOf writable = nullptr)
 {
     const Measure measured = measure<Value>();
     return {number, name, services, measured.elements, measured.bytes, instances, effect, valueFields<Value>, attribute,

@@ -38,11 +38,13 @@ template <> struct CommandsOf<values::ExternalPosition> : ItemCommands<0x81, 0x3
 };
 
 /// ReadItem<values::Register> {5} reads M005. The instance of a variable comes from variableInstance().
-template <typename Item, typename Commands = CommandsOf<Item>> using ReadItem =
+template <typename Item, typename Commands = CommandsOf<Item>>
+using ReadItem =
     std::conditional_t<Commands::isScalar, ReadElement<Commands::single, Item>, ReadAll<Commands::single, Item>>;
 
 /// WriteItem<values::Register> {5, {123}} writes M005.
-template <typename Item, typename Commands = CommandsOf<Item>> using WriteItem =
+template <typename Item, typename Commands = CommandsOf<Item>>
+using WriteItem =
     std::conditional_t<Commands::isScalar, WriteElement<Commands::single, Item>, WriteAll<Commands::single, Item>>;
 
 /// ReadItems<values::Register>::create(0, 100) reads M000 to M099.

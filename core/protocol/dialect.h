@@ -10,7 +10,7 @@
 namespace protocol {
 
 enum class Model { DX100, DX200, FS100, YRC1000, YRC1000micro };
-constexpr std::array allModels {Model::DX100, Model::DX200, Model::FS100, Model::YRC1000, Model::YRC1000micro};
+inline constexpr std::array allModels {Model::DX100, Model::DX200, Model::FS100, Model::YRC1000, Model::YRC1000micro};
 
 /// Instances first..last, both included.
 struct InstanceRange {
@@ -48,7 +48,8 @@ enum class Numbering : quint16 { FromZero = 0, FromOne = 1 };
 /// The instance of variable `number`, for B I D R S P BP EX. Registers and I/O groups always have their number.
 constexpr quint16 variableInstance(int number, Numbering numbering) { return quint16(number + int(numbering)); }
 
-/// What differs between controller models, as data. Values that the reference does not know for a model are marked there.
+/// What differs between controller models, as data. Values that the reference does not know for a model are marked
+/// there.
 struct Dialect {
     Model model;
     const char *key; ///< As in settings and on the command line: "yrc1000".

@@ -37,10 +37,8 @@ using Fields = QList<Field>;
 class FieldReader
 {
 public:
-    FieldReader(QByteArrayView payload, int onlyElement, const TextCodec &codec) :
-        m_reader {payload, onlyElement},
-        m_codec {codec},
-        m_onlyElement {onlyElement}
+    FieldReader(QByteArrayView payload, int onlyElement, const TextCodec &codec)
+        : m_reader {payload, onlyElement}, m_codec {codec}, m_onlyElement {onlyElement}
     {
     }
 

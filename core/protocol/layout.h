@@ -10,7 +10,8 @@
 
 namespace protocol {
 
-/// Where a payload is described, once: a specialisation for each value lists its elements in the order of the reference.
+/// Where a payload is described, once: a specialisation for each value lists its elements in the order of the
+/// reference.
 ///
 ///     template <> struct Layout<values::Something> {
 ///         static void describe(auto &visit, auto &value)

@@ -65,8 +65,8 @@ struct Acknowledged {
 };
 
 /// Writes every element of a payload.
-template <quint16 command, typename Value, quint8 attribute = 0, Effect kind = Effect::Writes> struct WriteAll
-    : Acknowledged {
+template <quint16 command, typename Value, quint8 attribute = 0, Effect kind = Effect::Writes>
+struct WriteAll : Acknowledged {
     static constexpr auto effect = kind;
     quint16 instance = 1;
     Value value;
@@ -82,10 +82,8 @@ template <quint16 command, typename Value> struct WriteElement : Acknowledged {
     Value value;
     quint8 attribute; ///< Which field of `value` is written.
 
-    WriteElement(quint16 instanceToWrite, Value newValue, quint8 element = 1) :
-        instance {instanceToWrite},
-        value {std::move(newValue)},
-        attribute {element}
+    WriteElement(quint16 instanceToWrite, Value newValue, quint8 element = 1)
+        : instance {instanceToWrite}, value {std::move(newValue)}, attribute {element}
     {
     }
     [[nodiscard]] Request request() const

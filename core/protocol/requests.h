@@ -105,8 +105,8 @@ struct ShowPendantText : WriteElement<0x85, values::PendantText> {
 };
 
 struct SelectJob : WriteAll<0x87, values::JobSelection> {
-    explicit SelectJob(values::JobSelection selection, values::JobTarget target = values::JobTarget::toExecute()) :
-        WriteAll {target.instance, selection}
+    explicit SelectJob(values::JobSelection selection, values::JobTarget target = values::JobTarget::toExecute())
+        : WriteAll {target.instance, selection}
     {
     }
 };

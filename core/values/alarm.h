@@ -66,7 +66,7 @@ struct AlarmWithTexts {
 
 /// The five lists of the history. The value is the instance before the first entry.
 enum class AlarmHistoryClass : quint16 { Major = 0, Minor = 1000, UserSystem = 2000, User = 3000, Offline = 4000 };
-constexpr std::array allAlarmHistoryClasses {AlarmHistoryClass::Major, AlarmHistoryClass::Minor,
+inline constexpr std::array allAlarmHistoryClasses {AlarmHistoryClass::Major, AlarmHistoryClass::Minor,
     AlarmHistoryClass::UserSystem, AlarmHistoryClass::User, AlarmHistoryClass::Offline};
 constexpr int alarmHistoryLength = 100; ///< Entries a class; 1 is the newest.
 constexpr int activeAlarmCount = 4; ///< Slots of active alarms; 1 is the newest.
