@@ -2,89 +2,149 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "protocol/catalog.h"
 
+#include "protocol/plural.h"
 #include <QtEndian>
 #include <algorithm>
+
+using values::Result;
 
 namespace protocol {
 
 namespace {
 
-using enum Service;
-using Ranges = QList<InstanceRange>;
+constexpr quint16 unknownCommand = 0xA000;
+constexpr quint16 instanceError = 0xA001;
+constexpr quint16 attributeError = 0xA002;
+constexpr quint16 sizeError = 0xB003;
 
-InstanceRange numbered(int base, int count) { return {quint16(base + 1), quint16(base + count)}; }
-
-Ranges onlyFirst(const Dialect &) { return {{1, 1}}; }
-Ranges tasks(const Dialect &d) { return {numbered(0, d.tasks)}; }
-Ranges axisNameGroups(const Dialect &d)
+bool isIn(const QList<InstanceRange> &ranges, quint32 instance)
 {
-    return {numbered(0, d.robots), numbered(10, d.bases), numbered(20, d.stations), numbered(100, d.robots),
-        numbered(110, d.bases)};
-}
-Ranges positionGroups(const Dialect &d)
-{
-    return {numbered(0, d.robots), numbered(10, d.bases), numbered(20, d.stations), numbered(100, d.robots)};
-}
-Ranges systemParts(const Dialect &d)
-{
-    return {numbered(10, d.robots), numbered(20, d.stations), numbered(100, d.applications)};
-}
-Ranges powerSwitches(const Dialect &) { return {{1, 3}}; }
-
-Effect reads(const Request &) { return Effect::Reads; }
-
-/// 0x83: HOLD on and servo off stop, servo on makes motion possible, the rest changes a setting (reference §6).
-Effect powerSwitchEffect(const Request &request)
-{
-    constexpr quint16 hold = 1;
-    constexpr quint16 servo = 2;
-    constexpr quint32 on = 1;
-    constexpr quint32 off = 2;
-    const quint32 word = request.payload.size() >= 4 ? qFromLittleEndian<quint32>(request.payload.data()) : 0;
-    if (request.instance == hold)
-        return word == on ? Effect::Stops : Effect::Writes;
-    if (request.instance == servo && word == on)
-        return Effect::Starts;
-    if (request.instance == servo && word == off)
-        return Effect::Stops;
-    return Effect::Writes;
+    return std::ranges::any_of(ranges, [instance](InstanceRange range) { return range.contains(instance); });
 }
 
-const std::vector<Command> &rows()
+tl::unexpected<values::Error> misfit(QByteArrayView payload, const char *what)
 {
-    static const QList<Service> get {GetSingle, GetAll};
-    static const QList<Service> execute {SetSingle};
-    static const std::vector<Command> rows {
-        {0x72, "status", get, 2, onlyFirst, reads},
-        {0x73, "executing job", get, 4, tasks, reads},
-        {0x74, "axis names", get, 8, axisNameGroups, reads},
-        {0x75, "position", get, 13, positionGroups, reads},
-        {0x83, "hold, servo, hlock", execute, 1, powerSwitches, powerSwitchEffect},
-        {0x89, "system information", get, 3, systemParts, reads},
-    };
-    return rows;
+    return values::failure(values::ErrorKind::Malformed,
+        QStringLiteral("%1 bytes of payload: %2").arg(payload.size()).arg(QLatin1StringView(what)));
+}
+
+/// The number of items in a plural payload; Malformed if the rule does not allow it.
+Result<Fields> countField(const Command &command, QByteArrayView payload)
+{
+    if (payload.size() < PluralRule::countSize)
+        return misfit(payload, "the count is missing");
+    const auto count = qFromLittleEndian<quint32>(payload.data());
+    if (!PluralRule {command.size}.allows(count))
+        return misfit(payload, "the count is 0, odd or too large for this command");
+    return Fields {showNumber("count", count)};
+}
+
+Result<Fields> fieldsOf(
+    const Command &command, PayloadKind kind, QByteArrayView payload, const Request &request, const TextCodec &codec)
+{
+    switch (kind) {
+    case PayloadKind::Empty: return payload.isEmpty() ? Result<Fields> {} : misfit(payload, "none belong here");
+    case PayloadKind::Value: return command.fields(payload, request, codec);
+    case PayloadKind::Count:
+        return payload.size() == PluralRule::countSize ? countField(command, payload)
+                                                       : misfit(payload, "only a count belongs here");
+    case PayloadKind::CountAndValues: break;
+    }
+    auto fields = countField(command, payload);
+    if (!fields)
+        return fields;
+    const auto items = command.fields(payload.sliced(PluralRule::countSize), request, codec);
+    if (!items)
+        return items;
+    if (qint64(PluralRule::countSize) + fields->first().value.toInteger() * command.size != payload.size())
+        return misfit(payload, "the count and the items differ");
+    return *fields + *items;
 }
 
 } // namespace
 
-bool Command::hasInstance(quint32 instance, const Dialect &dialect) const
+PayloadKind requestPayload(Service service)
 {
-    return std::ranges::any_of(
-        instances(dialect), [instance](InstanceRange range) { return range.contains(instance); });
+    switch (service) {
+    case Service::SetSingle:
+    case Service::SetAll: return PayloadKind::Value;
+    case Service::ReadPlural: return PayloadKind::Count;
+    case Service::WritePlural: return PayloadKind::CountAndValues;
+    default: return PayloadKind::Empty;
+    }
 }
 
-std::span<const Command> commands() { return rows(); }
+PayloadKind replyPayload(Service service)
+{
+    switch (service) {
+    case Service::GetSingle:
+    case Service::GetAll: return PayloadKind::Value;
+    case Service::ReadPlural: return PayloadKind::CountAndValues;
+    case Service::WritePlural: return PayloadKind::Count;
+    default: return PayloadKind::Empty;
+    }
+}
+
+bool Command::hasInstance(quint32 instance, const Dialect &dialect) const { return isIn(instances(dialect), instance); }
+
+bool Command::isWritable(quint32 instance, const Dialect &dialect) const
+{
+    return isIn(writable ? writable(dialect) : instances(dialect), instance);
+}
+
+bool Command::hasAttribute(Service service, quint8 attribute) const
+{
+    switch (service) {
+    case Service::GetSingle:
+    case Service::SetSingle: return attribute >= 1 && attribute <= elements;
+    case Service::GetAll:
+    case Service::SetAll:
+        return (attribute == 0 && allAttribute != AllAttribute::One)
+            || (attribute == 1 && allAttribute != AllAttribute::Zero);
+    default: return attribute == 0;
+    }
+}
 
 const Command *findCommand(quint16 number)
 {
-    const auto found = std::ranges::find(rows(), number, &Command::number);
-    return found == rows().end() ? nullptr : &*found;
+    const auto rows = commands();
+    const auto found = std::ranges::lower_bound(rows, number, {}, &Command::number);
+    return found != rows.end() && found->number == number ? &*found : nullptr;
 }
 
 Effect effectOf(const Request &request)
 {
     const Command *command = findCommand(request.command);
     return command ? command->effect(request) : Effect::Writes;
+}
+
+quint16 addressFault(const Request &request, const Dialect &dialect)
+{
+    const Command *command = findCommand(request.command);
+    if (!command || command->instances(dialect).isEmpty())
+        return unknownCommand;
+    if (!command->hasInstance(request.instance, dialect))
+        return instanceError;
+    if (!command->hasService(request.service) || !command->hasAttribute(request.service, request.attribute))
+        return attributeError;
+    return requestFields(request, TextCodec {}) ? 0 : sizeError;
+}
+
+Result<Fields> requestFields(const Request &request, const TextCodec &codec)
+{
+    const Command *command = findCommand(request.command);
+    return command ? fieldsOf(*command, requestPayload(request.service), request.payload, request, codec)
+                   : Result<Fields> {};
+}
+
+Result<Fields> replyFields(const Request &request, QByteArrayView payload, const TextCodec &codec)
+{
+    const Command *command = findCommand(request.command);
+    if (!command)
+        return Fields {};
+    if (request.service == Service::WritePlural && payload.isEmpty())
+        return Fields {}; // reference §12, conflict 46
+    return fieldsOf(*command, replyPayload(request.service), payload, request, codec);
 }
 
 } // namespace protocol

@@ -42,6 +42,12 @@ struct IoRange {
     InstanceRange groups; ///< Groups of eight signals: 2701 is #27010 to #27017.
 };
 
+/// Which instance a variable has (parameter RS022, reference §10.1): its number, or its number plus one.
+enum class Numbering : quint16 { FromZero = 0, FromOne = 1 };
+
+/// The instance of variable `number`, for B I D R S P BP EX. Registers and I/O groups always have their number.
+constexpr quint16 variableInstance(int number, Numbering numbering) { return quint16(number + int(numbering)); }
+
 /// What differs between controller models, as data. Values that the reference does not know for a model are marked
 /// there.
 struct Dialect {
@@ -59,6 +65,9 @@ struct Dialect {
     bool hasAlarmTexts; ///< 0x30A 0x30B.
     bool hasTemperatures; ///< 0x411 0x413.
     std::span<const IoRange> io;
+    int variables = 100; ///< B000 to B099, likewise I D R S; more with the extended-variable option (reference §4.3).
+    int positionVariables = 128; ///< P000 to P127, likewise BP EX (reference §4.4).
+    Numbering numbering = Numbering::FromZero; ///< As set on the controller.
 
     /// The area that `group` lies in, nullopt outside all of them.
     [[nodiscard]] std::optional<IoArea> ioArea(quint32 group) const;

@@ -6,6 +6,7 @@
 #include "values/error.h"
 #include "values/position.h"
 #include <QByteArray>
+#include <array>
 
 namespace protocol {
 
@@ -23,8 +24,12 @@ namespace protocol {
 /// The reader, the writer, the field tree and the virtual controller are visitors of it, so an offset is never written
 /// down. Names are those of `pendeskctl decode`. A visitor has:
 ///   element(name, field)        one element, one attribute number
-///   axes(name, AxisWords &)     one element an axis; on reading, as many as the payload holds
-///   optional()                  what follows may be missing from a reply
+///   each(name, fields)          one element each, under one name
+///   axes(name, words, type)     one element an axis; on reading, as many as the payload holds
+///   eightAxes(name, words, type)  the same, but eight axis words always stand on the wire
+///   optional()                  what follows may be missing from a payload, or be cut short
+///   rest()                      further bytes may follow; nobody knows them
+///   derived(name, function)     no bytes: something that follows from the fields, for people
 template <typename Value> struct Layout;
 
 template <typename Value>
@@ -56,44 +61,69 @@ class Reader
 public:
     explicit Reader(QByteArrayView payload, int onlyElement = 0) : m_rest {payload}, m_cursor {onlyElement} { }
 
-    template <typename Field> void element(const char *, Field &field)
+    /// True if the element takes part and was there.
+    template <typename Field> bool element(const char *, Field &field) { return m_cursor.next() && take(field); }
+
+    void each(const char *name, auto &fields)
     {
-        if (m_cursor.next())
-            take(field);
+        for (auto &field : fields)
+            element(name, field);
     }
 
-    void axes(const char *, values::AxisWords &words)
+    void axes(const char *name, values::AxisWords &words, values::PositionType)
     {
-        const bool single = m_cursor.isSingle();
-        words.resize(single ? values::maxAxes : int(std::min<qsizetype>(m_rest.size() / 4, values::maxAxes)));
-        for (int axis = 0; axis < words.count(); ++axis) {
-            if (m_cursor.next())
-                take(words[axis]);
-        }
+        takeAxes(name, words, int(std::min<qsizetype>(m_rest.size() / 4, values::maxAxes)));
+    }
+    void eightAxes(const char *name, values::AxisWords &words, values::PositionType)
+    {
+        takeAxes(name, words, values::maxAxes);
     }
 
-    void optional() { m_optional = true; }
+    void optional() { m_isOptional = !m_cursor.isSingle(); }
+    void rest() { m_rest = m_cursor.isSingle() ? m_rest : QByteArrayView {}; }
+    void derived(const char *, auto) { }
 
     /// True if every element was there and no byte is left over.
-    [[nodiscard]] bool isComplete() const { return !m_failed && m_rest.isEmpty(); }
+    [[nodiscard]] bool isComplete() const { return !m_hasFailed && m_rest.isEmpty(); }
+    /// How many elements were passed.
+    [[nodiscard]] int index() const { return m_cursor.index(); }
 
 private:
-    template <typename Field> void take(Field &field)
+    void takeAxes(const char *name, values::AxisWords &words, int count)
+    {
+        words.resize(m_cursor.isSingle() ? values::maxAxes : count);
+        for (int axis = 0; axis < words.count(); ++axis)
+            element(name, words[axis]);
+    }
+
+    template <typename Field> bool take(Field &field)
     {
         constexpr auto size = Wire<Field>::size;
-        if (m_rest.size() >= size) {
-            field = Wire<Field>::load(m_rest.data());
-            m_rest = m_rest.sliced(size);
-        } else {
-            m_failed |= !m_optional;
-            m_rest = {};
+        if (m_rest.size() < size)
+            return takeCut(field);
+        field = Wire<Field>::load(m_rest.data());
+        m_rest = m_rest.sliced(size);
+        return true;
+    }
+
+    /// An element that the payload holds in part or not at all: zeros stand for what is missing.
+    template <typename Field> bool takeCut(Field &field)
+    {
+        const bool isThere = m_isOptional && !m_rest.isEmpty();
+        m_hasFailed |= !m_isOptional;
+        if (isThere) {
+            std::array<char, Wire<Field>::size> padded {};
+            std::copy(m_rest.begin(), m_rest.end(), padded.begin());
+            field = Wire<Field>::load(padded.data());
         }
+        m_rest = {};
+        return isThere;
     }
 
     QByteArrayView m_rest;
     ElementCursor m_cursor;
-    bool m_optional = false;
-    bool m_failed = false;
+    bool m_isOptional = false;
+    bool m_hasFailed = false;
 };
 
 /// Appends a value to a payload.
@@ -108,17 +138,32 @@ public:
             put(field);
     }
 
-    void axes(const char *, const values::AxisWords &words)
+    void each(const char *name, const auto &fields)
     {
-        for (int axis = 0; axis < (m_cursor.isSingle() ? values::maxAxes : words.count()); ++axis) {
-            if (m_cursor.next())
-                put(words[axis]);
-        }
+        for (const auto &field : fields)
+            element(name, field);
+    }
+
+    void axes(const char *name, const values::AxisWords &words, values::PositionType)
+    {
+        putAxes(name, words, m_cursor.isSingle() ? values::maxAxes : words.count());
+    }
+    void eightAxes(const char *name, const values::AxisWords &words, values::PositionType)
+    {
+        putAxes(name, words, values::maxAxes);
     }
 
     void optional() { }
+    void rest() { }
+    void derived(const char *, auto) { }
 
 private:
+    void putAxes(const char *name, const values::AxisWords &words, int count)
+    {
+        for (int axis = 0; axis < count; ++axis)
+            element(name, words[axis]);
+    }
+
     template <typename Field> void put(const Field &field)
     {
         const auto at = m_payload.size();
@@ -130,9 +175,44 @@ private:
     ElementCursor m_cursor;
 };
 
+/// Counts the elements of a layout, and the bytes of a payload that holds them all with every axis.
+class Measure
+{
+public:
+    template <typename Field> void element(const char *, const Field &) { count(1, Wire<Field>::size); }
+    template <typename Fields> void each(const char *, const Fields &fields)
+    {
+        count(int(fields.size()), Wire<typename Fields::value_type>::size);
+    }
+    void axes(const char *, const values::AxisWords &, values::PositionType) { count(values::maxAxes, 4); }
+    void eightAxes(const char *, const values::AxisWords &, values::PositionType) { count(values::maxAxes, 4); }
+    void optional() { }
+    void rest() { }
+    void derived(const char *, auto) { }
+
+    int elements = 0;
+    qsizetype bytes = 0;
+
+private:
+    void count(int fields, qsizetype each)
+    {
+        elements += fields;
+        bytes += fields * each;
+    }
+};
+
+/// How many elements `Value` has, and how many bytes at most: see Measure.
+template <typename Value> [[nodiscard]] Measure measure()
+{
+    Measure measure;
+    Value value;
+    Layout<Value>::describe(measure, value);
+    return measure;
+}
+
 /// The value in `payload`. `onlyElement` is the attribute of a single-element service: the other fields stay as they
 /// are in a new value. Malformed if the payload is short or long.
-template <Described Value> [[nodiscard]] values::Result<Value> decode(QByteArrayView payload, int onlyElement = 0)
+template <typename Value> [[nodiscard]] values::Result<Value> decode(QByteArrayView payload, int onlyElement = 0)
 {
     Value value;
     Reader reader {payload, onlyElement};
@@ -143,7 +223,7 @@ template <Described Value> [[nodiscard]] values::Result<Value> decode(QByteArray
     return value;
 }
 
-template <Described Value> [[nodiscard]] QByteArray encode(const Value &value, int onlyElement = 0)
+template <typename Value> [[nodiscard]] QByteArray encode(const Value &value, int onlyElement = 0)
 {
     QByteArray payload;
     Writer writer {payload, onlyElement};

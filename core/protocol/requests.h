@@ -2,53 +2,29 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "protocol/effect.h"
-#include "protocol/packet.h"
-#include "protocol/payloads.h"
+#include "protocol/datarequests.h"
+#include "protocol/requestkinds.h"
 
 namespace protocol {
 
-/// A typed order to the robot port: it knows its bytes, its effect and the value that answers it.
-template <typename R>
-concept TypedRequest = requires(const R &request, QByteArrayView payload)
-{
-    typename R::Reply;
-    {
-        R::effect
-        } -> std::convertible_to<Effect>;
-    {
-        request.request()
-        } -> std::same_as<Request>;
-    {
-        request.decode(payload)
-        } -> std::same_as<values::Result<typename R::Reply>>;
+// Monitoring, reference §3.
+
+struct ReadAlarm : ReadAll<0x70, values::Alarm> {
+    /// `slot` is 1 to values::activeAlarmCount, 1 the newest.
+    explicit ReadAlarm(int slot = 1) { instance = quint16(slot); }
 };
 
-/// Reads every element of a payload.
-template <quint16 command, typename Value> struct ReadAll {
-    using Reply = Value;
-    static constexpr auto effect = Effect::Reads;
-    quint16 instance = 1;
-
-    [[nodiscard]] Request request() const { return {command, instance, 0, Service::GetAll}; }
-    [[nodiscard]] values::Result<Value> decode(QByteArrayView payload) const
-    {
-        return protocol::decode<Value>(payload);
-    }
+struct ReadAlarmWithTexts : ReadAll<0x30A, values::AlarmWithTexts> {
+    explicit ReadAlarmWithTexts(int slot = 1) { instance = quint16(slot); }
 };
 
-/// Executes a single-word control command (reference §6).
-template <quint16 command, quint16 instance, quint32 word, Effect kind> struct Control {
-    using Reply = void;
-    static constexpr auto effect = kind;
+struct ReadAlarmHistory : ReadAll<0x71, values::Alarm> {
+    /// `entry` is 1 to values::alarmHistoryLength, 1 the newest.
+    ReadAlarmHistory(values::AlarmHistoryClass list, int entry) { instance = quint16(int(list) + entry); }
+};
 
-    [[nodiscard]] Request request() const
-    {
-        QByteArray payload(4, '\0');
-        qToLittleEndian(word, payload.data());
-        return {command, instance, 1, Service::SetSingle, payload};
-    }
-    [[nodiscard]] values::Result<void> decode(QByteArrayView) const { return {}; }
+struct ReadAlarmHistoryWithTexts : ReadAll<0x30B, values::AlarmWithTexts> {
+    ReadAlarmHistoryWithTexts(values::AlarmHistoryClass list, int entry) { instance = quint16(int(list) + entry); }
 };
 
 struct ReadStatus : ReadAll<0x72, values::Status> {
@@ -59,12 +35,38 @@ struct ReadExecutingJob : ReadAll<0x73, values::ExecutingJob> {
     explicit ReadExecutingJob(int task = 0) { instance = quint16(1 + task); }
 };
 
-struct ReadAxisNames : ReadAll<0x74, values::AxisNames> {
-    explicit ReadAxisNames(values::ControlGroup group) { instance = group.instance; }
+/// Reads something of a control group.
+template <quint16 command, typename Value, quint8 attribute = 0> struct ReadGroup : ReadAll<command, Value, attribute> {
+    explicit ReadGroup(values::ControlGroup group) { this->instance = group.instance; }
 };
 
-struct ReadPosition : ReadAll<0x75, values::Position> {
-    explicit ReadPosition(values::ControlGroup group) { instance = group.instance; }
+struct ReadAxisNames : ReadGroup<0x74, values::AxisNames> {
+    using ReadGroup::ReadGroup;
+};
+
+struct ReadPosition : ReadGroup<0x75, values::Position> {
+    using ReadGroup::ReadGroup;
+};
+
+struct ReadFollowingError : ReadGroup<0x76, values::FollowingError> {
+    using ReadGroup::ReadGroup;
+};
+
+struct ReadTorque : ReadGroup<0x77, values::Torque> {
+    using ReadGroup::ReadGroup;
+};
+
+struct ReadEncoderTemperatures : ReadGroup<0x411, values::EncoderTemperatures, 1> {
+    using ReadGroup::ReadGroup;
+};
+
+struct ReadConverterTemperature : ReadAll<0x413, values::ConverterTemperature, 1> {
+    /// `board` is the servo board, 1 or 2.
+    explicit ReadConverterTemperature(int board = 1) { instance = quint16(board); }
+};
+
+struct ReadManagementTime : ReadAll<0x88, values::ManagementTime> {
+    explicit ReadManagementTime(values::ManagementTimeCounter counter) { instance = counter.instance; }
 };
 
 struct ReadSystemInformation : ReadAll<0x89, values::SystemInformation> {
@@ -73,6 +75,12 @@ struct ReadSystemInformation : ReadAll<0x89, values::SystemInformation> {
     static ReadSystemInformation application(int application) { return {{quint16(100 + application)}}; }
 };
 
+// Control, reference §6.
+
+struct ResetAlarm : Control<0x82, 1, 1, Effect::Writes> {
+};
+struct CancelError : Control<0x82, 2, 1, Effect::Writes> {
+};
 struct HoldOn : Control<0x83, 1, 1, Effect::Stops> {
 };
 struct HoldOff : Control<0x83, 1, 2, Effect::Writes> {
@@ -84,6 +92,33 @@ struct ServoOff : Control<0x83, 2, 2, Effect::Stops> {
 struct HlockOn : Control<0x83, 3, 1, Effect::Writes> {
 };
 struct HlockOff : Control<0x83, 3, 2, Effect::Writes> {
+};
+struct StartJob : Control<0x86, 1, 1, Effect::Starts> {
+};
+
+struct SelectCycle : WriteElement<0x84, values::CycleSelection> {
+    explicit SelectCycle(values::CycleMode mode) : WriteElement {2, {mode}} { }
+};
+
+struct ShowPendantText : WriteElement<0x85, values::PendantText> {
+    explicit ShowPendantText(values::PendantText text) : WriteElement {1, text} { }
+};
+
+struct SelectJob : WriteAll<0x87, values::JobSelection> {
+    explicit SelectJob(values::JobSelection selection, values::JobTarget target = values::JobTarget::toExecute())
+        : WriteAll {target.instance, selection}
+    {
+    }
+};
+
+struct MoveCartesian : WriteAll<0x8A, values::CartesianTarget, 1, Effect::Moves> {
+    MoveCartesian(values::CartesianMove type, const values::CartesianTarget &target) : WriteAll {quint16(type), target}
+    {
+    }
+};
+
+struct MovePulse : WriteAll<0x8B, values::PulseTarget, 1, Effect::Moves> {
+    MovePulse(values::PulseMove type, const values::PulseTarget &target) : WriteAll {quint16(type), target} { }
 };
 
 } // namespace protocol

@@ -5,6 +5,7 @@
 #include "values/fixedtext.h"
 #include <QFlags>
 #include <QtEndian>
+#include <array>
 #include <cstring>
 #include <type_traits>
 
@@ -44,6 +45,27 @@ template <qsizetype Size> struct Wire<values::FixedText<Size>> {
         return values::FixedText<Size> {QByteArrayView {from, Size}};
     }
     static void store(const values::FixedText<Size> &value, char *to) { memcpy(to, value.data(), size_t(Size)); }
+};
+
+/// Several numbers that make up one element.
+template <typename Number, std::size_t Count> struct Wire<std::array<Number, Count>> {
+    static constexpr qsizetype size = Wire<Number>::size * qsizetype(Count);
+    static std::array<Number, Count> load(const char *from)
+    {
+        std::array<Number, Count> numbers;
+        for (Number &number : numbers) {
+            number = Wire<Number>::load(from);
+            from += Wire<Number>::size;
+        }
+        return numbers;
+    }
+    static void store(const std::array<Number, Count> &numbers, char *to)
+    {
+        for (const Number number : numbers) {
+            Wire<Number>::store(number, to);
+            to += Wire<Number>::size;
+        }
+    }
 };
 
 } // namespace protocol

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "values/fixedtext.h"
+#include <QString>
 #include <array>
 #include <span>
 
@@ -78,6 +79,23 @@ struct Position {
 
     bool operator==(const Position &) const = default;
 };
+
+/// How far each axis is behind its command, in pulses (reference §3.8).
+struct FollowingError {
+    AxisWords axes;
+
+    bool operator==(const FollowingError &) const = default;
+};
+
+/// The torque of each axis; the unit is stated nowhere (reference §3.8).
+struct Torque {
+    AxisWords axes;
+
+    bool operator==(const Torque &) const = default;
+};
+
+/// "pulse", "base frame", …; "unknown type 5" for others.
+[[nodiscard]] QString toString(PositionType type);
 
 /// A control group's number as instance (reference §2.1).
 struct ControlGroup {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QFlags>
+#include <QStringList>
 
 namespace values {
 
@@ -50,6 +51,9 @@ struct Status {
         const auto cycle = data1 & (Data1 {Step} | OneCycle | Continuous);
         return cycle != Step && cycle != OneCycle && cycle != Continuous;
     }
+
+    /// The names of all set bits, as in `pendeskctl decode`: "play", "servo_on".
+    [[nodiscard]] QStringList bitNames() const;
 
     bool operator==(const Status &) const = default;
 };
