@@ -111,11 +111,11 @@ void Controller::close()
     m_watch.stop();
     m_statisticsTimer.stop();
     dropLink();
+    setLinkState(LinkState::Disconnected);
     setTrouble({});
     setHold(HoldProgress::Idle);
     m_state->setLinkUp(false, now());
     m_state->clear();
-    setLinkState(LinkState::Disconnected);
 }
 
 /// The session may be the caller, several frames up: it goes when the event loop has control again.

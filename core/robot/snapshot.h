@@ -8,9 +8,10 @@
 
 namespace robot {
 
-/// What was read from a controller, in words for a terminal: "name: value" lines, untranslated, only what is live.
+/// What was read from a controller, in words for a terminal: "name: value" lines, untranslated; what was not read is
+/// not there.
 [[nodiscard]] QStringList toLines(const RobotState &state);
-/// The same as JSON: numbers in the units of the wire, named by their unit.
+/// The same as JSON, with the names and the units of `pendeskctl decode`.
 [[nodiscard]] QJsonObject toJson(const RobotState &state);
 
 } // namespace robot

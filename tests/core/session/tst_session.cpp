@@ -35,8 +35,8 @@ public:
         auto framing = request->framing;
         framing.ack = true;
         framing.block = protocol::lastBlock;
-        Q_EMIT received(protocol::encode(
-            protocol::Reply {framing, protocol::replyService(request->service), 0, 0, 0, payload}));
+        Q_EMIT received(
+            protocol::encode(protocol::Reply {framing, protocol::replyService(request->service), 0, 0, 0, payload}));
     }
 
     QList<QByteArray> packets;
@@ -126,7 +126,7 @@ private Q_SLOTS:
         FakeTransport transport;
         Session session {transport, impatient()};
         auto context = std::make_unique<QObject>();
-        session.send(ReadStatus {}, this, [](const Result<Status> &) { });
+        session.send(ReadStatus {}, this, [](const Result<Status> &) {});
         session.send(protocol::HoldOff {}, context.get(), [](const Result<void> &) { QFAIL("called"); });
         QCOMPARE(transport.packets.size(), 1);
         context.reset();
