@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "protocol/codes.h"
 
+#include "protocol/fields.h"
 #include <QCoreApplication>
 #include <algorithm>
 #include <array>
@@ -28,24 +29,19 @@ quint16 codeOfBareStatus(quint8 status)
     }
 }
 
-QString hex(quint16 number, int digits)
-{
-    return QStringLiteral("0x") + QString::number(number, 16).toUpper().rightJustified(digits, u'0');
-}
-
 QString explainRefusal(const Error &refusal)
 {
     const quint16 code = effectiveCode(refusal);
     if (code == 0)
         return translated(QT_TRANSLATE_NOOP("protocol", "refused with status %1, which is not in the code list"))
-            .arg(hex(refusal.status, 2));
+            .arg(hexWord(refusal.status, 2));
     const StatusCode *row = findStatusCode(code);
     if (!row)
         return translated(QT_TRANSLATE_NOOP("protocol", "%1 refused, with a code that is not in the code list"))
-            .arg(hex(code, 4));
+            .arg(hexWord(code, 4));
     if (!*row->remedy)
-        return QStringLiteral("%1 %2").arg(hex(code, 4), translated(row->meaning));
-    return QStringLiteral("%1 %2 — %3").arg(hex(code, 4), translated(row->meaning), translated(row->remedy));
+        return QStringLiteral("%1 %2").arg(hexWord(code, 4), translated(row->meaning));
+    return QStringLiteral("%1 %2 — %3").arg(hexWord(code, 4), translated(row->meaning), translated(row->remedy));
 }
 
 const char *sentence(ErrorKind kind)

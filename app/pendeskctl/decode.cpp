@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "decode.h"
+
+#include "protocol/decoder.h"
+#include <QCommandLineParser>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTextStream>
+#include <cstdio>
+
+using protocol::DecodedPacket;
+using protocol::Decoder;
+using protocol::Field;
+using protocol::Fields;
+
+namespace {
+
+constexpr int exitOk = 0;
+constexpr int exitMalformed = 1;
+constexpr int exitUsage = 2;
+
+/// The bytes that `text` writes in hex, white space aside; nullopt if it is something else.
+std::optional<QByteArray> fromHex(const QString &text)
+{
+    const QByteArray digits = text.simplified().remove(u' ').toLatin1();
+    const QByteArray bytes = QByteArray::fromHex(digits);
+    if (digits.isEmpty() || bytes.toHex() != digits.toLower())
+        return std::nullopt;
+    return bytes;
+}
+
+void insertText(QJsonObject &object, const char *name, const QString &text)
+{
+    if (!text.isEmpty())
+        object.insert(QString::fromLatin1(name), text);
+}
+
+QByteArray asJson(const DecodedPacket &packet)
+{
+    QJsonObject object;
+    if (packet.direction)
+        object.insert(QStringLiteral("direction"), toString(*packet.direction));
+    insertText(object, "name", packet.name);
+    for (const Field &field : packet.header + packet.payload)
+        object.insert(field.name, field.value);
+    insertText(object, "error", packet.error);
+    insertText(object, "problem", packet.problem);
+    insertText(object, "meaning", packet.meaning);
+    return QJsonDocument {object}.toJson(QJsonDocument::Compact);
+}
+
+QString valueText(const QJsonValue &value)
+{
+    if (value.isArray())
+        return QString::fromUtf8(QJsonDocument {value.toArray()}.toJson(QJsonDocument::Compact));
+    return value.toVariant().toString();
+}
+
+/// Hex for codes, words for meanings.
+QString asText(const Field &field)
+{
+    if (field.words.isEmpty())
+        return valueText(field.value);
+    const bool isPlain = field.value.isArray() || field.words.startsWith(u"0x") || field.value.isString();
+    return isPlain ? field.words : QStringLiteral("%1 (%2)").arg(valueText(field.value), field.words);
+}
+
+void appendLine(QString &text, const QString &name, const QString &value)
+{
+    if (!value.isEmpty())
+        text += QStringLiteral("  %1: %2\n").arg(name, value);
+}
+
+QByteArray asText(const DecodedPacket &packet)
+{
+    QString text = packet.direction ? toString(*packet.direction) : QStringLiteral("not a packet");
+    text += packet.name.isEmpty() ? QStringLiteral("\n") : QStringLiteral(" %1\n").arg(packet.name);
+    for (const Field &field : packet.header + packet.payload)
+        appendLine(text, field.name, asText(field));
+    appendLine(text, QStringLiteral("error"), packet.error);
+    appendLine(text, QStringLiteral("problem"), packet.problem);
+    appendLine(text, QStringLiteral("meaning"), packet.meaning);
+    return text.toUtf8();
+}
+
+/// What the command line says.
+struct Options {
+    bool asText = false;
+    protocol::Encoding encoding = protocol::Encoding::Latin1;
+    protocol::Model model = protocol::Model::YRC1000;
+    std::optional<protocol::Division> division;
+    std::optional<QByteArray> request;
+    QStringList packets;
+};
+
+QCommandLineOption option(const char *name, const QString &description, const char *value = "")
+{
+    return {QString::fromLatin1(name), description, QString::fromLatin1(value)};
+}
+
+std::optional<protocol::Division> divisionOf(const QString &port)
+{
+    if (port == QString::number(protocol::robotPort))
+        return protocol::Division::Robot;
+    if (port == QString::number(protocol::filePort))
+        return protocol::Division::File;
+    return std::nullopt;
+}
+
+int complain(const QString &message)
+{
+    QTextStream {stderr} << "pendeskctl decode: " << message << '\n';
+    return exitUsage;
+}
+
+void addOptions(QCommandLineParser &parser)
+{
+    const auto text = [](const char *source) { return QCoreApplication::translate("decode", source); };
+    parser.addOption(option("text", text(QT_TRANSLATE_NOOP("decode", "Print for people instead of JSON."))));
+    parser.addOption(option("reply-to", text(QT_TRANSLATE_NOOP("decode", "The request that a reply answers.")), "HEX"));
+    parser.addOption(
+        option("port", text(QT_TRANSLATE_NOOP("decode", "The port of the packets: 10040 or 10041.")), "PORT"));
+    parser.addOption(option("encoding", text(QT_TRANSLATE_NOOP("decode", "The encoding of texts.")), "NAME"));
+    parser.addOption(option("model", text(QT_TRANSLATE_NOOP("decode", "The controller model.")), "NAME"));
+    parser.addHelpOption();
+    parser.addPositionalArgument(
+        QStringLiteral("HEX"), text(QT_TRANSLATE_NOOP("decode", "A packet; without any, one a line on stdin.")));
+}
+
+/// An error is a sentence for the person at the keyboard.
+tl::expected<Options, QString> read(const QCommandLineParser &parser)
+{
+    const auto value = [&parser](const char *name) { return parser.value(QString::fromLatin1(name)); };
+    const auto isSet = [&parser](const char *name) { return parser.isSet(QString::fromLatin1(name)); };
+    Options options;
+    options.asText = isSet("text");
+    options.packets = parser.positionalArguments();
+    if (isSet("reply-to") && !(options.request = fromHex(value("reply-to"))))
+        return tl::unexpected(QStringLiteral("--reply-to takes a packet in hex"));
+    if (isSet("port") && !(options.division = divisionOf(value("port"))))
+        return tl::unexpected(QStringLiteral("--port takes 10040 or 10041"));
+    if (isSet("encoding")) {
+        const auto encoding = protocol::findEncoding(value("encoding"));
+        if (!encoding)
+            return tl::unexpected(QStringLiteral("no such encoding: %1").arg(value("encoding")));
+        options.encoding = *encoding;
+    }
+    if (isSet("model")) {
+        const auto *dialect = protocol::findDialect(value("model"));
+        if (!dialect)
+            return tl::unexpected(QStringLiteral("no such model: %1").arg(value("model")));
+        options.model = dialect->model;
+    }
+    return options;
+}
+
+/// The lines of standard input that are not empty.
+QStringList linesOfInput()
+{
+    QTextStream input {stdin};
+    QStringList lines;
+    for (QString line; input.readLineInto(&line);) {
+        if (!line.trimmed().isEmpty())
+            lines += line;
+    }
+    return lines;
+}
+
+DecodedPacket decodeHex(Decoder &decoder, const QString &hex)
+{
+    if (const auto bytes = fromHex(hex))
+        return decoder.decode(*bytes);
+    DecodedPacket packet;
+    packet.error = QStringLiteral("not hexadecimal: %1").arg(hex);
+    return packet;
+}
+
+} // namespace
+
+int runDecode(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    addOptions(parser);
+    if (!parser.parse(QStringList {QStringLiteral("pendeskctl decode")} + arguments))
+        return complain(parser.errorText());
+    if (parser.isSet(QStringLiteral("help"))) {
+        QTextStream {stdout} << parser.helpText();
+        return exitOk;
+    }
+    const auto options = read(parser);
+    if (!options)
+        return complain(options.error());
+    Decoder decoder {protocol::TextCodec {options->encoding}, options->model};
+    if (options->division)
+        decoder.setDivision(*options->division);
+    if (options->request && !decoder.setRequest(*options->request))
+        return complain(QStringLiteral("--reply-to holds no request"));
+    const QStringList packets = options->packets.isEmpty() ? linesOfInput() : options->packets;
+    if (packets.isEmpty())
+        return complain(QStringLiteral("no packets given"));
+    int exitCode = exitOk;
+    for (const QString &hex : packets) {
+        const DecodedPacket packet = decodeHex(decoder, hex);
+        if (packet.isMalformed())
+            exitCode = exitMalformed;
+        const QByteArray line = options->asText ? asText(packet) : asJson(packet);
+        fprintf(stdout, "%s\n", line.constData());
+    }
+    return exitCode;
+}
