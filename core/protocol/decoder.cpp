@@ -118,12 +118,15 @@ DecodedPacket malformed(const QString &error)
     return decoded;
 }
 
-void take(DecodedPacket &decoded, const Result<Fields> &payload)
+/// Bytes that nobody can name are shown as they are.
+void take(DecodedPacket &decoded, const Result<Fields> &fields, QByteArrayView payload)
 {
-    if (payload)
-        decoded.payload = *payload;
+    if (!fields)
+        decoded.error = fields.error().detail;
+    else if (fields->isEmpty() && !payload.isEmpty())
+        decoded.payload = {{QStringLiteral("payload"), QString::fromLatin1(payload.toByteArray().toHex()), {}}};
     else
-        decoded.error = payload.error().detail;
+        decoded.payload = *fields;
 }
 
 } // namespace
@@ -166,7 +169,7 @@ DecodedPacket Decoder::decodeClientPacket(QByteArrayView datagram)
     decoded.header = headerOf(packet);
     decoded.name = nameOf(packet.request(), packet.framing.division);
     decoded.problem = problemOf(packet);
-    take(decoded, clientPayload(packet));
+    take(decoded, clientPayload(packet), packet.payload);
     return decoded;
 }
 
@@ -187,7 +190,7 @@ DecodedPacket Decoder::decodeReply(QByteArrayView datagram) const
     if (reply.isRefusal())
         decoded.meaning = explain(reply.refusal());
     else
-        take(decoded, replyPayload(reply, isKnown ? &*request : nullptr));
+        take(decoded, replyPayload(reply, isKnown ? &*request : nullptr), reply.payload);
     return decoded;
 }
 
