@@ -47,14 +47,14 @@ QByteArray encodeAcknowledgement(Service service, quint8 id, quint32 block)
     return encode(fileRequest(service, {}), Framing {Division::File, true, id, block});
 }
 
-quint32 blockCount(QByteArrayView content) { return quint32((content.size() + blockSize - 1) / blockSize); }
+quint32 blockCount(QByteArrayView content, qsizetype size) { return quint32((content.size() + size - 1) / size); }
 
-QByteArray encodeLoadBlock(QByteArrayView content, quint32 index, quint8 id)
+QByteArray encodeLoadBlock(QByteArrayView content, quint32 index, quint8 id, qsizetype size)
 {
-    const qsizetype start = qsizetype(index - 1) * blockSize;
+    const qsizetype start = qsizetype(index - 1) * size;
     Q_ASSERT(index >= 1 && start < content.size());
-    const auto data = content.sliced(start, std::min(blockSize, content.size() - start));
-    const Framing framing {Division::File, true, id, blockNumber(index, blockCount(content))};
+    const auto data = content.sliced(start, std::min(size, content.size() - start));
+    const Framing framing {Division::File, true, id, blockNumber(index, blockCount(content, size))};
     return encode(fileRequest(Service::LoadFile, data), framing);
 }
 

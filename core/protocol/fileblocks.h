@@ -35,18 +35,18 @@ struct FileService {
 
 // Loading: the computer sends blocks.
 
-/// What we send in a block; 479 is the limit (reference §12, conflict 18).
+/// What we send in a block unless told otherwise; 479 is the limit (reference §12, conflict 18).
 constexpr qsizetype blockSize = 400;
 
 /// How many blocks `content` takes. It is not empty: an empty file cannot be sent (reference §7.6).
-[[nodiscard]] quint32 blockCount(QByteArrayView content);
+[[nodiscard]] quint32 blockCount(QByteArrayView content, qsizetype size = blockSize);
 /// The number of block `index`, from 1, of `count`, with the mark of the last one.
 [[nodiscard]] constexpr quint32 blockNumber(quint32 index, quint32 count)
 {
     return index == count ? index | lastBlock : index;
 }
 /// Block `index` of `content`, from 1 to blockCount().
-[[nodiscard]] QByteArray encodeLoadBlock(QByteArrayView content, quint32 index, quint8 id);
+[[nodiscard]] QByteArray encodeLoadBlock(QByteArrayView content, quint32 index, quint8 id, qsizetype size = blockSize);
 
 /// The controller's "go ahead" to a load request, whose block number is 0 or that of a single reply (reference §12,
 /// conflict 12). An error if it refuses.

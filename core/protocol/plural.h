@@ -53,10 +53,12 @@ template <typename Item>
         || qFromLittleEndian<quint32>(payload.data()) != expected)
         return values::failure(values::ErrorKind::Malformed,
             QStringLiteral("a payload of %1 bytes does not hold %2 items").arg(payload.size()).arg(expected));
-    QList<Item> items;
-    items.reserve(qsizetype(expected));
-    for (auto rest = payload.sliced(PluralRule::countSize); !rest.isEmpty(); rest = rest.sliced(itemSize))
-        items += *decode<Item>(rest.first(itemSize));
+    QList<Item> items(qsizetype(expected), Item {});
+    Reader reader {payload.sliced(PluralRule::countSize)};
+    for (Item &item : items)
+        Layout<Item>::describe(reader, item);
+    if (!reader.isComplete())
+        return values::failure(values::ErrorKind::Malformed, QStringLiteral("an item does not fit"));
     return items;
 }
 

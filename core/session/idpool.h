@@ -3,6 +3,7 @@
 #pragma once
 
 #include "session/policy.h"
+#include <QtGlobal>
 #include <array>
 #include <deque>
 #include <optional>

@@ -13,10 +13,12 @@ class Retransmission
 {
 public:
     using Duration = std::chrono::microseconds;
-    static constexpr Duration floor = std::chrono::milliseconds {20};
 
-    /// `ceiling` is the wait while nothing was measured, and the longest one ever.
-    explicit Retransmission(Duration ceiling) : m_ceiling {ceiling} { }
+    /// `ceiling` is the wait while nothing was measured, and the longest one ever; `floor` the shortest.
+    explicit Retransmission(Duration ceiling, Duration floor = std::chrono::milliseconds {20})
+        : m_ceiling {ceiling}, m_floor {floor}
+    {
+    }
 
     /// A round trip of a request that was sent once. A repeated one does not count: nobody knows which try was
     /// answered.
@@ -37,12 +39,13 @@ public:
     {
         if (!m_isMeasured)
             return m_ceiling;
-        const Duration first = std::max(floor, m_smooth + 4 * m_variation);
+        const Duration first = std::max(m_floor, m_smooth + 4 * m_variation);
         return std::min(m_ceiling, first * (1 << std::min(tries - 1, 8)));
     }
 
 private:
     Duration m_ceiling;
+    Duration m_floor;
     Duration m_smooth {};
     Duration m_variation {};
     bool m_isMeasured = false;
