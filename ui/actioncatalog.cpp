@@ -14,6 +14,7 @@ namespace {
 constexpr ActionRow rows[] {
     {ActionId::Hold, "holdAction", ACTION("HOLD (software)"), "Pause; Ctrl+Shift+H", "hold"},
     {ActionId::Connect, "connectAction", ACTION("Connect…"), "Ctrl+O", "connect"},
+    {ActionId::Reconnect, "reconnectAction", ACTION("Connect to this controller"), "Ctrl+R", "connect"},
     {ActionId::Disconnect, "disconnectAction", ACTION("Disconnect"), "Ctrl+W", "disconnect"},
     {ActionId::Demo, "demoAction", ACTION("Open the demo"), "Ctrl+Shift+D", "demo"},
     {ActionId::Diagnose, "diagnoseAction", ACTION("Diagnose…"), "Ctrl+D", "diagnose"},

@@ -77,14 +77,18 @@ Notice noticeOf(const LinkView &link, const settings::Profile &profile)
 {
     if (link.state == LinkState::Disconnected)
         return {};
-    const Notice hold = holdNotice(link);
     const Notice about = linkNotice(link, profile);
-    if (!hold.message.text.isEmpty())
-        return hold;
-    const bool isQuiet = about.message.text.isEmpty() || about.message.severity == Severity::Notice;
-    if (link.hold == HoldProgress::Confirmed && isQuiet && link.state == LinkState::Monitoring)
-        return plain(Severity::Notice, Messages::tr("HOLD confirmed: the status says held by command."));
-    return about;
+    Notice hold = holdNotice(link);
+    if (hold.message.text.isEmpty())
+        return about;
+    if (about.message.severity != Severity::Notice)
+        hold.message.text += u' ' + about.message.text;
+    return hold;
+}
+
+Notice holdConfirmed()
+{
+    return plain(Severity::Notice, Messages::tr("HOLD confirmed: the status says held by command."));
 }
 
 Notice holdWithoutLink()

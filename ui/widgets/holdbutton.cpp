@@ -11,7 +11,7 @@ namespace widgets {
 namespace {
 
 constexpr int leastWidth = 150;
-constexpr int height = 52;
+constexpr int tallness = 52;
 
 } // namespace
 
@@ -38,7 +38,7 @@ QSize HoldButton::sizeHint() const
 {
     const int caption = QFontMetrics(ui::font(ui::Type::Label)).horizontalAdvance(m_caption) + 22;
     const int word = fontMetrics().horizontalAdvance(text()) + 70;
-    return {std::max({leastWidth, caption, word}), height};
+    return {std::max({leastWidth, caption, word}), tallness};
 }
 
 void HoldButton::paintEvent(QPaintEvent *)
@@ -48,11 +48,11 @@ void HoldButton::paintEvent(QPaintEvent *)
     painter.setPen(QPen(ui::color(hasFocus() ? ui::Role::Accent : ui::Role::Fill, this), hasFocus() ? 3 : 2));
     painter.setBrush(ui::color(isDown() ? ui::Role::Border : ui::Role::Raised, this));
     painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), ui::space::radius, ui::space::radius);
-    const qreal middle = height * 0.58;
+    const qreal middle = tallness * 0.58;
     paintWord(painter, QRectF(0, 4, width(), middle - 4));
     painter.setFont(ui::font(ui::Type::Label));
     painter.setPen(ui::color(ui::Role::Text2, this));
-    painter.drawText(QRectF(0, middle, width(), height - middle - 6), Qt::AlignCenter, m_caption);
+    painter.drawText(QRectF(0, middle, width(), tallness - middle - 6), Qt::AlignCenter, m_caption);
 }
 
 void HoldButton::paintWord(QPainter &painter, const QRectF &line) const
