@@ -46,9 +46,8 @@ QString shortcutText(const char *shortcut)
 
 Actions::Actions(QWidget *window) : QObject(window)
 {
-    const Scheme scheme = schemeOf(window->palette());
     for (const ActionRow &row : rows) {
-        auto *action = new QAction(icon(QLatin1String(row.icon), scheme), text(row), this);
+        auto *action = new QAction(icon(QLatin1String(row.icon)), text(row), this);
         action->setObjectName(QLatin1String(row.name));
         if (row.id != ActionId::Hold)
             action->setShortcuts(sequences(row.shortcut));

@@ -89,8 +89,8 @@ void NavigationRail::addPages(QVBoxLayout *column)
     column->addWidget(heading(tr("PAGES")));
     int row = 0;
     for (const PageRow &page : pageCatalog()) {
-        QPushButton *button = entry(QLatin1String(page.id) + QStringLiteral("Entry"), title(page),
-            icon(QLatin1String(page.icon), schemeOf(palette())));
+        QPushButton *button =
+            entry(QLatin1String(page.id) + QStringLiteral("Entry"), title(page), icon(QLatin1String(page.icon)));
         button->setCheckable(true);
         button->setChecked(row == 0);
         button->setShortcut(QKeySequence(QLatin1String(page.shortcut)));
@@ -108,8 +108,7 @@ void NavigationRail::addActions(QVBoxLayout *column, const Actions &actions)
     auto *menu = new QMenu(this);
     for (const ActionRow &row : actionCatalog())
         menu->addAction(actions.action(row.id));
-    QPushButton *more =
-        entry(QStringLiteral("menuEntry"), tr("Menu"), icon(QStringLiteral("menu"), schemeOf(palette())));
+    QPushButton *more = entry(QStringLiteral("menuEntry"), tr("Menu"), icon(QStringLiteral("menu")));
     more->setMenu(menu);
     more->setShortcut(QKeySequence(QStringLiteral("F10")));
     column->addWidget(more);
