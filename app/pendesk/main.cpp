@@ -1,3 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-int main() { return 0; }
+#include "demo.h"
+#include "options.h"
+#include "pictures.h"
+#include "ui/mainwindow.h"
+#include <QApplication>
+#include <QSettings>
+#include <cstdio>
+
+using namespace pendesk;
+
+namespace {
+
+void name(const char *program)
+{
+    QCoreApplication::setApplicationName(QLatin1String(program));
+    QCoreApplication::setOrganizationName(QLatin1String(program));
+    QCoreApplication::setApplicationVersion(QStringLiteral(PENDESK_VERSION));
+}
+
+int complain(const QString &sentence, ExitCode code)
+{
+    std::fprintf(stderr, "pendesk: %s\n", qUtf8Printable(sentence));
+    return code;
+}
+
+/// The controller that the options ask for; the demo is started for it.
+values::Result<std::optional<settings::Profile>> wanted(const Options &options, Demo &demo)
+{
+    if (!options.isDemo)
+        return options.target;
+    return demo.start().map([](const settings::Profile &profile) { return std::optional(profile); });
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    QApplication application {argc, argv};
+    name("pendesk");
+    QSettings file;
+    settings::ProfileStore store {file};
+    const auto options = parse(QCoreApplication::arguments(), store, QApplication::palette());
+    if (!options)
+        return complain(options.error().detail + QStringLiteral(" See pendesk --help."), Usage);
+    if (!options->text.isEmpty())
+        return std::fputs(qUtf8Printable(options->text), stdout) < 0 ? LocalFile : Done;
+
+    ui::apply(application, options->scheme);
+    Demo demo;
+    const auto target = wanted(*options, demo);
+    if (!target)
+        return complain(target.error().detail, NoAnswer);
+    ui::MainWindow window {store, [&demo] { return demo.start(); }};
+    window.offer(target->value_or(store.find(store.lastUsed()).value_or(settings::Profile {})));
+    window.show();
+    Pictures pictures {window, options->pictures};
+    if (!options->pictures.isEmpty())
+        pictures.start();
+    else if (*target)
+        window.connectTo(**target);
+    return QApplication::exec();
+}

@@ -55,15 +55,15 @@ void Diagnosis::resolve()
 {
     QHostInfo::lookupHost(m_profile.host, this, [this](const QHostInfo &found) {
         for (const QHostAddress &address : found.addresses()) {
-            if (address.protocol() == QAbstractSocket::IPv4Protocol && m_address.isNull())
-                m_address = address;
+            if (address.protocol() == QAbstractSocket::IPv4Protocol && !m_address)
+                m_address = std::make_unique<QHostAddress>(address);
         }
-        if (m_address.isNull()) {
+        if (!m_address) {
             add(Rung::Outcome::Failed, tr("The name “%1” has no IPv4 address on this computer.").arg(m_profile.host),
                 tr("Check the spelling, or enter the controller's IPv4 address as the pendant shows it."));
             return finish();
         }
-        add(Rung::Outcome::Passed, tr("%1 is %2.").arg(m_profile.host, m_address.toString()));
+        add(Rung::Outcome::Passed, tr("%1 is %2.").arg(m_profile.host, m_address->toString()));
         route();
     });
 }
@@ -74,11 +74,11 @@ void Diagnosis::route()
     m_probe = std::make_unique<QUdpSocket>();
     const auto fail = [this] {
         add(Rung::Outcome::Failed,
-            tr("This computer cannot send to %1: %2.").arg(m_address.toString(), m_probe->errorString()),
+            tr("This computer cannot send to %1: %2.").arg(m_address->toString(), m_probe->errorString()),
             tr("Check the cable and this computer's IPv4 address: it must be in the controller's network."));
         finish();
     };
-    m_probe->connectToHost(m_address, m_profile.port);
+    m_probe->connectToHost(*m_address, m_profile.port);
     if (m_probe->state() != QAbstractSocket::ConnectedState)
         return fail();
     const QByteArray status = protocol::encode(protocol::ReadStatus {}.request(), protocol::Framing {});
@@ -89,7 +89,7 @@ void Diagnosis::route()
         char ignored = 0;
         m_probe->readDatagram(&ignored, 1); // reading is what makes the socket report the network's answer
     });
-    add(Rung::Outcome::Passed, tr("This computer can send to %1.").arg(m_address.toString()));
+    add(Rung::Outcome::Passed, tr("This computer can send to %1.").arg(m_address->toString()));
     ask();
 }
 
@@ -98,7 +98,7 @@ void Diagnosis::ask()
     session::Policy policy;
     policy.timeout = m_profile.readTimeout;
     policy.repeats = m_profile.readRepeats;
-    m_transport = std::make_unique<session::UdpTransport>(m_address, m_profile.port);
+    m_transport = std::make_unique<session::UdpTransport>(*m_address, m_profile.port);
     m_session = std::make_unique<session::Session>(*m_transport, policy);
     m_session->send(protocol::ReadStatus {}, this, [this](const Result<values::Status> &status) { onStatus(status); });
 }
@@ -126,7 +126,7 @@ void Diagnosis::explainSilence()
     const session::Counters heard = m_session->statistics().counters;
     if (heard.strangers > 0) {
         add(Rung::Outcome::Failed,
-            tr("Answers come from another address than %1; they are ignored.").arg(m_address.toString()),
+            tr("Answers come from another address than %1; they are ignored.").arg(m_address->toString()),
             tr("Look for a second network card or an address translation between this computer and the controller."));
     } else if (heard.malformed + heard.mismatched > 0) {
         add(Rung::Outcome::Failed, tr("Something answers at port %1, but not with HSES.").arg(m_profile.port),
@@ -163,7 +163,7 @@ void Diagnosis::identify()
 void Diagnosis::knockAtFiles()
 {
     m_files = std::make_unique<QUdpSocket>();
-    m_files->connectToHost(m_address, m_profile.filePort);
+    m_files->connectToHost(*m_address, m_profile.filePort);
     connect(m_files.get(), &QUdpSocket::readyRead, this, &Diagnosis::hearFiles);
     const Request list {0, 0, 0, Service::ListFiles, QByteArrayLiteral("*.JBI")};
     m_files->write(protocol::encode(list, {protocol::Division::File, false, 1, 0}));

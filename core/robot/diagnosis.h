@@ -5,10 +5,10 @@
 #include "settings/profile.h"
 #include "values/error.h"
 #include "values/status.h"
-#include <QHostAddress>
 #include <QObject>
 #include <memory>
 
+class QHostAddress;
 class QUdpSocket;
 
 namespace session {
@@ -64,7 +64,7 @@ private:
     void finish();
 
     settings::Profile m_profile;
-    QHostAddress m_address;
+    std::unique_ptr<QHostAddress> m_address; ///< None until the name is resolved.
     std::unique_ptr<session::UdpTransport> m_transport;
     std::unique_ptr<session::Session> m_session;
     std::unique_ptr<QUdpSocket> m_probe; ///< Connected, so that it hears what the network says of an address.

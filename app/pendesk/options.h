@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "settings/profilestore.h"
+#include "ui/theme.h"
+
+namespace pendesk {
+
+enum ExitCode { Done = 0, Usage = 2, NoAnswer = 3, LocalFile = 5 };
+
+/// What the command line asks for.
+struct Options {
+    bool isDemo = false;
+    std::optional<settings::Profile> target; ///< Connect to it at once.
+    ui::Scheme scheme = ui::Scheme::Light;
+    QString pictures; ///< Folder for pictures; empty: none wanted.
+    QString text; ///< Set by --help and --version: print it and end.
+};
+
+/// BadInput with a whole sentence if the arguments (the program first) cannot be followed.
+[[nodiscard]] values::Result<Options> parse(
+    const QStringList &arguments, const settings::ProfileStore &store, const QPalette &desktop);
+
+} // namespace pendesk

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include <QAction>
+#include <QHash>
+#include <span>
+
+namespace ui {
+
+enum class ActionId { Hold, Connect, Reconnect, Disconnect, Demo, Diagnose, CopyDiagnosis, Shortcuts, About, Quit };
+
+/// One row an action: menus, rail, shortcuts and the list under F1 are made from it.
+struct ActionRow {
+    ActionId id;
+    const char *name; ///< objectName of the action.
+    const char *text; ///< Translated by text().
+    const char *shortcut; ///< Portable, several separated by "; "; empty for none.
+    const char *icon; ///< Empty for none.
+};
+
+[[nodiscard]] std::span<const ActionRow> actionCatalog();
+[[nodiscard]] QString text(const ActionRow &row);
+/// As the desktop writes it: "Pause or Ctrl+Shift+H".
+[[nodiscard]] QString shortcutText(const char *shortcut);
+
+/// The actions of one window.
+class Actions : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// The shortcuts work in `window`; HOLD's are HoldKey's business.
+    explicit Actions(QWidget *window);
+
+    [[nodiscard]] QAction *action(ActionId id) const { return m_actions.value(id); }
+
+Q_SIGNALS:
+    void triggered(ui::ActionId id);
+
+private:
+    QHash<ActionId, QAction *> m_actions;
+};
+
+inline size_t qHash(ActionId id, size_t seed = 0) { return ::qHash(int(id), seed); }
+
+} // namespace ui

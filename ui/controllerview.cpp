@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/controllerview.h"
+
+#include "ui/navigationrail.h"
+#include "ui/pagecatalog.h"
+#include "ui/robotstrip.h"
+#include <QHBoxLayout>
+#include <QStackedWidget>
+
+namespace ui {
+
+using namespace std::chrono_literals;
+using robot::HoldProgress;
+using robot::LinkState;
+using robot::Topic;
+
+ControllerView::ControllerView(const settings::Profile &profile, const Actions &actions, QWidget *parent)
+    : QWidget(parent),
+      m_controller {profile},
+      m_strip {new RobotStrip(m_controller.state(), m_controller.profile())},
+      m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
+      m_bar {new widgets::MessageBar},
+      m_stack {new QStackedWidget},
+      m_stripInterest {m_controller.poller().want({Topic::Status, Topic::Job, Topic::SystemInformation})}
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_strip);
+    column->addWidget(desk(), 1);
+    m_bar->setObjectName(QStringLiteral("messageBar"));
+    m_fade.setSingleShot(true);
+    m_fade.setInterval(20s);
+    addPages(actions);
+    connect(m_bar, &widgets::MessageBar::linkActivated, this, [this, &actions] {
+        if (m_barAction)
+            actions.action(*m_barAction)->trigger();
+    });
+    follow();
+    openPage(0);
+    onLinkChanged();
+}
+
+QWidget *ControllerView::desk()
+{
+    auto *content = new QVBoxLayout;
+    content->setSpacing(0);
+    auto *barRow = new QHBoxLayout;
+    barRow->setContentsMargins(space::page, 0, space::page, 0);
+    barRow->addWidget(m_bar);
+    content->addLayout(barRow);
+    content->addWidget(m_stack, 1);
+    auto *result = new QWidget;
+    auto *row = new QHBoxLayout(result);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_rail);
+    row->addLayout(content, 1);
+    return result;
+}
+
+void ControllerView::addPages(const Actions &actions)
+{
+    const pages::Context context {m_controller.state(), m_controller.profile(), actions};
+    for (const PageRow &row : pageCatalog()) {
+        pages::Page *page = row.create(context, m_stack);
+        page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));
+        m_stack->addWidget(page);
+        m_pages << page;
+    }
+}
+
+void ControllerView::follow()
+{
+    using robot::Controller;
+    connect(m_strip, &RobotStrip::holdRequested, this, &ControllerView::hold);
+    connect(m_rail, &NavigationRail::pageChosen, this, &ControllerView::openPage);
+    connect(&m_controller, &Controller::linkStateChanged, this, &ControllerView::onLinkChanged);
+    connect(&m_controller, &Controller::troubleChanged, this, &ControllerView::onLinkChanged);
+    connect(&m_controller, &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
+    connect(&m_controller, &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
+    connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
+}
+
+void ControllerView::openPage(int row)
+{
+    m_stack->setCurrentIndex(row);
+    m_pageInterest = m_controller.poller().want(m_pages[row]->topics());
+}
+
+void ControllerView::hold()
+{
+    if (m_controller.linkState() == LinkState::Disconnected)
+        show(holdWithoutLink());
+    else
+        m_controller.hold();
+}
+
+void ControllerView::show(const Notice &notice)
+{
+    m_barAction = notice.action;
+    m_bar->show(notice.message);
+    const bool isPassing = notice.message.severity == widgets::Severity::Notice
+        && m_controller.linkState() == LinkState::Monitoring && m_controller.holdProgress() != HoldProgress::Sent;
+    if (isPassing && !notice.message.text.isEmpty())
+        m_fade.start();
+    else
+        m_fade.stop();
+}
+
+void ControllerView::onLinkChanged()
+{
+    showLink();
+    show(noticeOf(linkView(m_controller), m_controller.profile()));
+}
+
+void ControllerView::onHoldProgressChanged()
+{
+    onLinkChanged();
+    if (m_controller.holdProgress() == HoldProgress::Confirmed && m_controller.linkState() == LinkState::Monitoring)
+        show(holdConfirmed());
+}
+
+void ControllerView::onStatisticsChanged()
+{
+    const auto statistics = m_controller.statistics();
+    m_strip->showStatistics(statistics);
+    for (pages::Page *page : m_pages)
+        page->showStatistics(statistics);
+}
+
+void ControllerView::showLink()
+{
+    const LinkView link = linkView(m_controller);
+    m_strip->showLink(link);
+    m_rail->showLink(link);
+    for (pages::Page *page : m_pages)
+        page->showLink(link);
+}
+
+} // namespace ui

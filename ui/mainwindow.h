@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "settings/profilestore.h"
+#include "ui/actioncatalog.h"
+#include <QMainWindow>
+#include <QPointer>
+#include <functional>
+
+class QLabel;
+
+namespace robot {
+class Controller;
+}
+
+namespace dialogs {
+class ConnectionDialog;
+}
+
+namespace ui {
+
+class ControllerView;
+
+/// The window. It shows one controller at a time, which can be exchanged for another.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    /// Starts the simulated controller, if it does not run yet, and tells where it listens.
+    using StartDemo = std::function<values::Result<settings::Profile>()>;
+
+    /// `store` must outlive the window.
+    MainWindow(settings::ProfileStore &store, StartDemo startDemo, QWidget *parent = nullptr);
+
+    /// Shows the profile's controller without connecting.
+    void offer(const settings::Profile &profile);
+    /// Drops the present controller and begins checking this one. A profile that is in the store becomes the last used.
+    void connectTo(const settings::Profile &profile);
+    void openDemo();
+
+    [[nodiscard]] robot::Controller &controller() const;
+    [[nodiscard]] ControllerView &view() const { return *m_view; }
+    [[nodiscard]] const Actions &actions() const { return *m_actions; }
+
+private:
+    void run(ActionId id);
+    void openConnectionDialog();
+    void openDiagnosis();
+    void copyDiagnosis();
+    void showAbout();
+    void makeStatusBar();
+    void onLinkStateChanged();
+    void onStatisticsChanged();
+
+    settings::ProfileStore &m_store;
+    StartDemo m_startDemo;
+    Actions *m_actions;
+    ControllerView *m_view = nullptr;
+    QLabel *m_requests;
+    QPointer<dialogs::ConnectionDialog> m_connectionDialog;
+};
+
+} // namespace ui

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/navigationrail.h"
+
+#include "ui/icons.h"
+#include "ui/pagecatalog.h"
+#include "ui/widgets/controllertile.h"
+#include "ui/widgets/text.h"
+#include "ui/words.h"
+#include <QButtonGroup>
+#include <QMenu>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+
+using robot::LinkState;
+using widgets::Lamp;
+using widgets::Word;
+
+namespace {
+
+QLabel *heading(const QString &words)
+{
+    QLabel *label = widgets::text(words, Type::Heading, Role::Text2);
+    label->setContentsMargins(8, 8, 8, 2);
+    return label;
+}
+
+QPushButton *entry(const QString &name, const QString &words, const QIcon &icon)
+{
+    auto *button = new QPushButton(icon, words);
+    button->setObjectName(name);
+    button->setProperty("rail", true);
+    button->setIconSize({space::icon, space::icon});
+    return button;
+}
+
+QPushButton *actionEntry(QAction *action)
+{
+    auto *button = entry(action->objectName() + QStringLiteral("Entry"), action->text(), action->icon());
+    const auto follow = [button, action] {
+        button->setEnabled(action->isEnabled());
+        button->setToolTip(action->toolTip());
+    };
+    QObject::connect(action, &QAction::changed, button, follow);
+    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    follow();
+    return button;
+}
+
+Word linkSummary(const LinkView &link)
+{
+    const Lamp lamp = link.state == LinkState::Lost || link.trouble ? Lamp::Warning : Lamp::None;
+    if (link.state != LinkState::Lost)
+        return {linkWord(link.state), lamp};
+    return {NavigationRail::tr("%1 · %2").arg(linkWord(link.state), link.since.toString(u"HH:mm:ss")), lamp};
+}
+
+} // namespace
+
+NavigationRail::NavigationRail(
+    const robot::RobotState &state, const settings::Profile &profile, const Actions &actions, QWidget *parent)
+    : QWidget(parent),
+      m_state {state},
+      m_tile {new widgets::ControllerTile(profile.name.isEmpty() ? tr("No controller") : profile.name)},
+      m_pages {new QButtonGroup(this)}
+{
+    setFixedWidth(space::rail);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 8, 10, 10);
+    column->setSpacing(3);
+    column->addWidget(heading(tr("CONTROLLERS")));
+    column->addWidget(m_tile);
+    m_tile->setObjectName(QStringLiteral("controllerTile"));
+    addPages(column);
+    column->addStretch();
+    addActions(column, actions);
+    connect(&state, &robot::RobotState::changed, this, [this](robot::Topic topic) {
+        if (topic == robot::Topic::Status)
+            showTile();
+    });
+    showTile();
+}
+
+void NavigationRail::addPages(QVBoxLayout *column)
+{
+    column->addWidget(heading(tr("PAGES")));
+    int row = 0;
+    for (const PageRow &page : pageCatalog()) {
+        QPushButton *button =
+            entry(QLatin1String(page.id) + QStringLiteral("Entry"), title(page), icon(QLatin1String(page.icon)));
+        button->setCheckable(true);
+        button->setChecked(row == 0);
+        button->setShortcut(QKeySequence(QLatin1String(page.shortcut)));
+        m_pages->addButton(button, row++);
+        column->addWidget(button);
+    }
+    connect(m_pages, &QButtonGroup::idClicked, this, &NavigationRail::pageChosen);
+}
+
+void NavigationRail::addActions(QVBoxLayout *column, const Actions &actions)
+{
+    column->addWidget(heading(tr("CONNECTION")));
+    for (const ActionId id : {ActionId::Connect, ActionId::Disconnect, ActionId::Diagnose})
+        column->addWidget(actionEntry(actions.action(id)));
+    auto *menu = new QMenu(this);
+    for (const ActionRow &row : actionCatalog())
+        menu->addAction(actions.action(row.id));
+    QPushButton *more = entry(QStringLiteral("menuEntry"), tr("Menu"), icon(QStringLiteral("menu")));
+    more->setMenu(menu);
+    more->setShortcut(QKeySequence(QStringLiteral("F10")));
+    column->addWidget(more);
+}
+
+void NavigationRail::showLink(const LinkView &link)
+{
+    m_link = link;
+    showTile();
+}
+
+void NavigationRail::showTile()
+{
+    const auto &status = m_state.status().value;
+    m_tile->show(m_link.state == LinkState::Monitoring && status ? summaryWord(*status) : linkSummary(m_link));
+}
+
+void NavigationRail::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setPen(color(Role::Border, this));
+    painter.drawLine(width() - 1, 0, width() - 1, height());
+}
+
+} // namespace ui

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pagecatalog.h"
+
+#include "ui/pages/overviewpage.h"
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+template <typename Page> pages::Page *create(const pages::Context &context, QWidget *parent)
+{
+    return new Page(context, parent);
+}
+
+#define TITLE(text) QT_TRANSLATE_NOOP("Pages", text)
+constexpr PageRow rows[] {
+    {"overview", TITLE("Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
+};
+#undef TITLE
+
+} // namespace
+
+std::span<const PageRow> pageCatalog() { return rows; }
+
+QString title(const PageRow &row) { return QCoreApplication::translate("Pages", row.title); }
+
+} // namespace ui

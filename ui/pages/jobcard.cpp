@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pages/jobcard.h"
+
+#include "ui/widgets/statefield.h"
+#include "ui/words.h"
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLocale>
+
+namespace pages {
+
+namespace {
+
+using values::ExecutingJob;
+
+QString line(const ExecutingJob &job) { return QLocale().toString(job.line); }
+QString step(const ExecutingJob &job) { return QLocale().toString(job.step); }
+
+struct Field {
+    const char *name;
+    const char *title;
+    QString (*text)(const ExecutingJob &);
+    int stretch;
+};
+
+#define TITLE(text) QT_TRANSLATE_NOOP("pages::JobCard", text)
+constexpr Field fields[] {
+    {"job", TITLE("Job"), ui::jobName, 4},
+    {"line", TITLE("Line"), line, 1},
+    {"step", TITLE("Step"), step, 1},
+    {"override", TITLE("Speed override"), ui::overrideText, 2},
+};
+#undef TITLE
+
+} // namespace
+
+JobCard::JobCard(const robot::RobotState &state, QWidget *parent) : Card(tr("Executing"), parent), m_state {state}
+{
+    setNote(tr("master task"));
+    auto *row = new QHBoxLayout;
+    row->setSpacing(ui::space::gap);
+    for (const Field &field : fields) {
+        auto *widget = new widgets::StateField(tr(field.title), ui::Type::State);
+        widget->value()->setObjectName(QLatin1String(field.name));
+        row->addWidget(widget, field.stretch);
+        m_fields << widget;
+    }
+    m_fields.front()->value()->setElided(true);
+    body()->addLayout(row);
+    body()->addStretch();
+    connect(&state, &robot::RobotState::changed, this, &JobCard::onChanged);
+    onChanged(robot::Topic::Job);
+}
+
+void JobCard::onChanged(robot::Topic topic)
+{
+    if (topic != robot::Topic::Job)
+        return;
+    const auto freshness = m_state.freshness(topic);
+    for (qsizetype i = 0; i < m_fields.size(); ++i) {
+        const auto word = [i](const ExecutingJob &job) { return widgets::Word {fields[i].text(job)}; };
+        m_fields[i]->show(widgets::shown(m_state.job(), freshness, word));
+    }
+    setReason(freshness == robot::Freshness::Refused ? m_fields.front()->value()->shown().note : QString());
+}
+
+} // namespace pages

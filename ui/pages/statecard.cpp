@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pages/statecard.h"
+
+#include "ui/widgets/statefield.h"
+#include "ui/words.h"
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QPainter>
+
+namespace pages {
+
+namespace {
+
+struct Field {
+    const char *name;
+    const char *title;
+    widgets::Word (*word)(const values::Status &);
+    int row;
+    int column;
+    int span; ///< Of six columns.
+};
+
+#define TITLE(text) QT_TRANSLATE_NOOP("pages::StateCard", text)
+constexpr Field fields[] {
+    {"mode", TITLE("Mode"), ui::modeWord, 0, 0, 3},
+    {"cycle", TITLE("Cycle"), ui::cycleWord, 0, 3, 3},
+    {"servo", TITLE("Servo"), ui::servoWord, 1, 0, 3},
+    {"run", TITLE("Run"), ui::runWord, 1, 3, 3},
+    {"heldByPendant", TITLE("Hold · pendant"), ui::heldByPendantWord, 2, 0, 2},
+    {"heldExternally", TITLE("Hold · external"), ui::heldExternallyWord, 2, 2, 2},
+    {"heldByCommand", TITLE("Hold · command"), ui::heldByCommandWord, 2, 4, 2},
+    {"alarm", TITLE("Alarm"), ui::alarmWord, 3, 0, 2},
+    {"error", TITLE("Error"), ui::errorWord, 3, 2, 2},
+    {"speedLimit", TITLE("Speed limit"), ui::speedLimitWord, 3, 4, 2},
+};
+#undef TITLE
+
+/// Draws a hairline around each of its children.
+class Cells : public QWidget
+{
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setPen(ui::color(ui::Role::Border, this));
+        for (const QObject *child : children()) {
+            if (const auto *widget = qobject_cast<const QWidget *>(child))
+                painter.drawRect(widget->geometry());
+        }
+    }
+};
+
+} // namespace
+
+StateCard::StateCard(const robot::RobotState &state, QWidget *parent) : Card(tr("State"), parent), m_state {state}
+{
+    auto *cells = new Cells;
+    auto *grid = new QGridLayout(cells);
+    grid->setContentsMargins(0, 0, 1, 1);
+    grid->setSpacing(0);
+    for (int column = 0; column < 6; ++column)
+        grid->setColumnStretch(column, 1);
+    for (const Field &field : fields) {
+        auto *widget = new widgets::StateField(tr(field.title), ui::Type::State);
+        widget->layout()->setContentsMargins(12, 7, 10, 7);
+        widget->value()->setObjectName(QLatin1String(field.name));
+        grid->addWidget(widget, field.row, field.column, 1, field.span);
+        m_fields << widget;
+    }
+    body()->addWidget(cells, 1);
+    connect(&state, &robot::RobotState::changed, this, &StateCard::onChanged);
+    onChanged(robot::Topic::Status);
+}
+
+void StateCard::onChanged(robot::Topic topic)
+{
+    if (topic != robot::Topic::Status)
+        return;
+    const auto freshness = m_state.freshness(topic);
+    for (qsizetype i = 0; i < m_fields.size(); ++i)
+        m_fields[i]->show(widgets::shown(m_state.status(), freshness, fields[i].word));
+    setReason(freshness == robot::Freshness::Refused ? m_fields.front()->value()->shown().note : QString());
+}
+
+} // namespace pages

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/robotstrip.h"
+
+#include "ui/widgets/badge.h"
+#include "ui/widgets/holdbutton.h"
+#include "ui/widgets/statefield.h"
+#include "ui/widgets/text.h"
+#include "ui/words.h"
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QPainter>
+
+namespace ui {
+
+using robot::HoldProgress;
+using robot::LinkState;
+using widgets::Lamp;
+using widgets::StateField;
+
+namespace {
+
+struct Field {
+    const char *name;
+    const char *title;
+    widgets::Word (*word)(const values::Status &);
+};
+
+#define TITLE(text) QT_TRANSLATE_NOOP("ui::RobotStrip", text)
+constexpr Field fields[] {
+    {"stripMode", TITLE("Mode"), modeWord},
+    {"stripServo", TITLE("Servo"), servoWord},
+    {"stripRun", TITLE("Run"), runWord},
+    {"stripHold", TITLE("Hold"), holdWord},
+    {"stripAlarm", TITLE("Alarm"), alarmWord},
+    {"stripError", TITLE("Error"), errorWord},
+};
+#undef TITLE
+
+constexpr int cellMargin = 12;
+
+StateField *cell(const char *name, const QString &title)
+{
+    auto *field = new StateField(title, Type::StripState);
+    field->value()->setObjectName(QLatin1String(name));
+    field->layout()->setContentsMargins(cellMargin, 0, cellMargin, 0);
+    return field;
+}
+
+QString caption(HoldProgress progress)
+{
+    switch (progress) {
+    case HoldProgress::Sent: return RobotStrip::tr("HOLD sent…");
+    case HoldProgress::Confirmed: return RobotStrip::tr("HOLD confirmed");
+    case HoldProgress::Refused: return RobotStrip::tr("HOLD refused");
+    case HoldProgress::Unconfirmed: return RobotStrip::tr("not confirmed");
+    case HoldProgress::Idle: break;
+    }
+    return RobotStrip::tr("software hold · Pause key");
+}
+
+widgets::Shown fact(const QString &text, Lamp lamp = Lamp::None) { return {{text, lamp}, robot::Freshness::Live, {}}; }
+
+} // namespace
+
+RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &profile, QWidget *parent)
+    : QWidget(parent),
+      m_state {state},
+      m_row {new QHBoxLayout(this)},
+      m_job {new widgets::ValueLabel(Type::StripState)},
+      m_place {new widgets::ValueLabel(Type::Body)},
+      m_link {cell("stripLink", tr("Link"))},
+      m_hold {new widgets::HoldButton}
+{
+    setFixedHeight(space::strip);
+    m_row->setContentsMargins(space::page - 4, 0, space::page, 0);
+    m_row->setSpacing(0);
+    m_row->addWidget(nameCell(profile), 2);
+    addStatusCells();
+    m_row->addWidget(jobCell(), 3);
+    m_row->addWidget(m_link);
+    m_row->addWidget(m_hold);
+    m_hold->setObjectName(QStringLiteral("holdButton"));
+    connect(m_hold, &QAbstractButton::pressed, this, &RobotStrip::holdRequested);
+    connect(&state, &robot::RobotState::changed, this, &RobotStrip::onChanged);
+    showLink({});
+    showStatus();
+    showJob();
+}
+
+QWidget *RobotStrip::nameCell(const settings::Profile &profile) const
+{
+    auto *result = new QWidget;
+    auto *name = new widgets::ValueLabel(Type::StripState);
+    name->setObjectName(QStringLiteral("stripName"));
+    name->setElided(true);
+    name->show(fact(profile.name.isEmpty() ? tr("No controller") : profile.name));
+    auto *level = new widgets::Badge(tr("MONITOR"), Role::Text2, Role::Strip);
+    level->setObjectName(QStringLiteral("accessBadge"));
+    auto *line = new QHBoxLayout;
+    line->setSpacing(8);
+    line->addWidget(name, 1);
+    line->addWidget(level);
+    auto *column = new QVBoxLayout(result);
+    column->setContentsMargins(0, 0, cellMargin, 0);
+    column->setSpacing(1);
+    auto *above = new QHBoxLayout;
+    above->addWidget(widgets::text(addressText(profile), Type::Label, Role::Text2), 1);
+    if (profile.isSimulation) {
+        auto *mark = new widgets::Badge(tr("SIMULATION"), Role::Magenta, Role::MagentaGround);
+        mark->setObjectName(QStringLiteral("simulationBadge"));
+        above->addWidget(mark);
+    }
+    column->addStretch();
+    column->addLayout(above);
+    column->addLayout(line);
+    column->addStretch();
+    return result;
+}
+
+QWidget *RobotStrip::jobCell() const
+{
+    auto *result = new QWidget;
+    m_job->setObjectName(QStringLiteral("stripJob"));
+    m_job->setTitle(tr("Executing"));
+    m_job->setElided(true);
+    m_place->setObjectName(QStringLiteral("stripPlace"));
+    m_place->setElided(true);
+    auto *line = new QHBoxLayout;
+    line->setSpacing(8);
+    line->addWidget(m_job);
+    line->addWidget(m_place, 1);
+    auto *column = new QVBoxLayout(result);
+    column->setContentsMargins(cellMargin, 0, cellMargin, 0);
+    column->setSpacing(1);
+    column->addStretch();
+    column->addWidget(widgets::text(tr("Executing"), Type::Label, Role::Text2));
+    column->addLayout(line);
+    column->addStretch();
+    return result;
+}
+
+void RobotStrip::addStatusCells()
+{
+    for (const Field &field : fields) {
+        m_statusFields << cell(field.name, tr(field.title));
+        m_row->addWidget(m_statusFields.back());
+    }
+}
+
+void RobotStrip::onChanged(robot::Topic topic)
+{
+    if (topic == robot::Topic::Status)
+        showStatus();
+    else if (topic == robot::Topic::Job)
+        showJob();
+}
+
+void RobotStrip::showStatus()
+{
+    const auto freshness = m_state.freshness(robot::Topic::Status);
+    for (qsizetype i = 0; i < m_statusFields.size(); ++i)
+        m_statusFields[i]->show(widgets::shown(m_state.status(), freshness, fields[i].word));
+}
+
+void RobotStrip::showJob()
+{
+    const auto freshness = m_state.freshness(robot::Topic::Job);
+    const auto name = [](const values::ExecutingJob &job) { return widgets::Word {jobName(job)}; };
+    const auto place = [](const values::ExecutingJob &job) { return widgets::Word {jobPlace(job)}; };
+    m_job->show(widgets::shown(m_state.job(), freshness, name));
+    m_place->show(widgets::shown(m_state.job(), freshness, place));
+}
+
+void RobotStrip::showLink(const LinkView &link)
+{
+    m_linkView = link;
+    m_hold->setCaption(caption(link.hold));
+    showLinkCell();
+}
+
+void RobotStrip::showStatistics(const session::LinkStatistics &statistics)
+{
+    m_statistics = statistics;
+    showLinkCell();
+}
+
+void RobotStrip::showLinkCell()
+{
+    const QString age = ageText(m_statistics.lastAnswerAge);
+    const bool hasAnswered = m_statistics.lastAnswerAge.has_value();
+    m_link->setTitle(
+        hasAnswered && m_linkView.state != LinkState::Disconnected ? tr("Link · %1 ago").arg(age) : tr("Link"));
+    switch (m_linkView.state) {
+    case LinkState::Monitoring:
+        return m_link->show(fact(tr("%1 · %2").arg(roundTripText(m_statistics.p50), percent(m_statistics.loss))));
+    case LinkState::Lost: return m_link->show(fact(tr("LOST"), Lamp::Warning));
+    case LinkState::Checking:
+        return m_link->show(
+            m_linkView.trouble ? fact(tr("no answer"), Lamp::Warning) : fact(tr("checking…"), Lamp::Hollow));
+    case LinkState::Disconnected: break;
+    }
+    m_link->show(fact(tr("not connected"), Lamp::Hollow));
+}
+
+void RobotStrip::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), color(Role::Strip, this));
+    painter.setPen(color(Role::Border, this));
+    painter.drawLine(0, height() - 1, width(), height() - 1);
+    for (int i = 1; i < m_row->count() - 1; ++i) {
+        const int x = m_row->itemAt(i)->geometry().left();
+        painter.drawLine(x, 0, x, height() - 1);
+    }
+}
+
+} // namespace ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "ui/linkview.h"
+#include <QWidget>
+
+class QHBoxLayout;
+
+namespace widgets {
+class HoldButton;
+class StateField;
+class ValueLabel;
+} // namespace widgets
+
+namespace ui {
+
+/// The strip at the top of the window: which controller, its state in big words, its link, and HOLD at the right end.
+class RobotStrip : public QWidget
+{
+    Q_OBJECT
+
+public:
+    RobotStrip(const robot::RobotState &state, const settings::Profile &profile, QWidget *parent = nullptr);
+
+    void showLink(const LinkView &link);
+    void showStatistics(const session::LinkStatistics &statistics);
+
+Q_SIGNALS:
+    /// The button was pressed. It works in every state of the link: whoever listens says why not.
+    void holdRequested();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    [[nodiscard]] QWidget *nameCell(const settings::Profile &profile) const;
+    [[nodiscard]] QWidget *jobCell() const;
+    void addStatusCells();
+    void onChanged(robot::Topic topic);
+    void showStatus();
+    void showJob();
+    void showLinkCell();
+
+    const robot::RobotState &m_state;
+    QHBoxLayout *m_row;
+    QList<widgets::StateField *> m_statusFields; ///< In the order of the table of fields.
+    widgets::ValueLabel *m_job;
+    widgets::ValueLabel *m_place; ///< Line, step and override of the job.
+    widgets::StateField *m_link;
+    widgets::HoldButton *m_hold;
+    LinkView m_linkView;
+    session::LinkStatistics m_statistics;
+};
+
+} // namespace ui

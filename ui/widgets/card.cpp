@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/widgets/card.h"
+
+#include <QPainter>
+
+namespace widgets {
+
+Card::Card(const QString &title, QWidget *parent)
+    : QWidget(parent),
+      m_title {text(title, ui::Type::Heading, ui::Role::Text2)},
+      m_note {text({}, ui::Type::Heading, ui::Role::Text2)},
+      m_reason {sentence({}, ui::Role::Amber)},
+      m_body {new QVBoxLayout}
+{
+    auto *header = new QHBoxLayout;
+    header->setSpacing(ui::space::gap);
+    header->addWidget(m_title);
+    header->addStretch();
+    header->addWidget(m_note);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(ui::space::inside, 12, ui::space::inside, ui::space::inside);
+    column->setSpacing(10);
+    column->addLayout(header);
+    column->addWidget(m_reason);
+    column->addLayout(m_body, 1);
+    m_body->setSpacing(6);
+    m_reason->hide();
+    setAccessibleName(title);
+}
+
+void Card::setTitle(const QString &title)
+{
+    m_title->setText(title);
+    setAccessibleName(title);
+}
+
+void Card::setNote(const QString &note) { m_note->setText(note); }
+
+void Card::setReason(const QString &reason)
+{
+    if (reason == m_reason->text())
+        return;
+    m_reason->setText(reason);
+    m_reason->setVisible(!reason.isEmpty());
+}
+
+void Card::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(ui::color(ui::Role::Border, this));
+    painter.setBrush(ui::color(ui::Role::Card, this));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
+}
+
+} // namespace widgets

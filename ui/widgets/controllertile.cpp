@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/widgets/controllertile.h"
+
+#include <QFontMetrics>
+#include <QPainter>
+
+namespace widgets {
+
+namespace {
+
+constexpr int margin = 10;
+
+QFont nameFont()
+{
+    QFont font = ui::font(ui::Type::Body);
+    font.setWeight(QFont::DemiBold);
+    return font;
+}
+
+} // namespace
+
+ControllerTile::ControllerTile(const QString &name, QWidget *parent) : QWidget(parent), m_name {name}
+{
+    setFixedHeight(
+        QFontMetrics(nameFont()).height() + QFontMetrics(ui::font(ui::Type::Label)).height() + 3 * margin / 2 + 4);
+}
+
+void ControllerTile::show(const Word &state)
+{
+    if (state == m_state)
+        return;
+    m_state = state;
+    setAccessibleName(tr("%1: %2").arg(m_name, state.text));
+    setToolTip(accessibleName());
+    update();
+}
+
+void ControllerTile::paintEvent(QPaintEvent *)
+{
+    const ui::Scheme scheme = ui::schemeOf(palette());
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(ui::color(ui::Role::Border, scheme));
+    painter.setBrush(ui::color(ui::Role::Raised, scheme));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
+
+    const QRect inner = rect().adjusted(margin, margin - 3, -margin, -margin + 3);
+    const int side = QFontMetrics(nameFont()).capHeight();
+    const QRect upper(inner.left(), inner.top(), inner.width() - side - 8, QFontMetrics(nameFont()).height());
+    const QRect lower(inner.left(), upper.bottom() + 3, inner.width(), inner.bottom() - upper.bottom() - 2);
+    const auto write = [&](const QRect &line, const QFont &font, ui::Role role, const QString &words) {
+        painter.setFont(font);
+        painter.setPen(ui::color(role, scheme));
+        painter.drawText(
+            line, Qt::AlignLeft | Qt::AlignVCenter, QFontMetrics(font).elidedText(words, Qt::ElideRight, line.width()));
+    };
+    write(upper, nameFont(), ui::Role::Text1, m_name);
+    write(lower, ui::font(ui::Type::Label), ui::Role::Text2, m_state.text);
+    paintLamp(painter, QRectF(inner.right() - side, upper.center().y() - side / 2, side, side), m_state.lamp, scheme);
+}
+
+} // namespace widgets

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include <QAbstractButton>
+
+namespace widgets {
+
+/// The software hold: two bars and a word on a quiet ground. It is no emergency stop and does not look like one.
+class HoldButton : public QAbstractButton
+{
+    Q_OBJECT
+
+public:
+    explicit HoldButton(QWidget *parent = nullptr);
+
+    /// The small line under the word: "software hold · Pause key", "HOLD sent…".
+    void setCaption(const QString &caption);
+    [[nodiscard]] const QString &caption() const { return m_caption; }
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void paintWord(QPainter &painter, const QRectF &line) const;
+
+    QString m_caption;
+};
+
+} // namespace widgets

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "ui/widgets/lamp.h"
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace widgets {
+
+enum class Severity { Notice, Warning, Alarm };
+
+/// What the bar says: what happened, since when, and one link.
+struct Message {
+    Severity severity = Severity::Notice;
+    QString text;
+    QString link; ///< Empty: no link.
+
+    bool operator==(const Message &) const = default;
+};
+
+/// The one bar at the top of a page. Polling errors never open a box; they end here, one at a time.
+class MessageBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit MessageBar(QWidget *parent = nullptr);
+
+    /// An empty text hides the bar.
+    void show(const Message &message);
+    [[nodiscard]] const Message &message() const { return m_message; }
+
+Q_SIGNALS:
+    void linkActivated();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    Message m_message;
+    QLabel *m_text;
+    QPushButton *m_link;
+};
+
+} // namespace widgets

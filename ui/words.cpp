@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace ui {
+
+using values::Status;
+using widgets::Lamp;
+using widgets::Word;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Words)
+};
+
+QString joined(const QStringList &words) { return words.join(QStringLiteral(" + ")); }
+
+Word onOff(bool isOn, const QString &on, const QString &off)
+{
+    return isOn ? Word {on, Lamp::Filled} : Word {off, Lamp::Hollow};
+}
+
+Word held(bool isHeld)
+{
+    return isHeld ? Word {Words::tr("HELD"), Lamp::Warning} : Word {Words::tr("no"), Lamp::Hollow};
+}
+
+QStringList holdCauses(const Status &status)
+{
+    QStringList causes;
+    if (status.data2 & Status::HeldByPendant)
+        causes << Words::tr("PENDANT");
+    if (status.data2 & Status::HeldExternally)
+        causes << Words::tr("EXTERNAL");
+    if (status.data2 & Status::HeldByCommand)
+        causes << Words::tr("COMMAND");
+    return causes;
+}
+
+QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+} // namespace
+
+Word modeWord(const Status &status)
+{
+    QStringList modes;
+    if (status.isTeach())
+        modes << Words::tr("TEACH");
+    if (status.isPlay())
+        modes << Words::tr("PLAY");
+    const QString mode = modes.isEmpty() ? Words::tr("NO MODE") : joined(modes);
+    return {status.isRemote() ? Words::tr("REMOTE %1").arg(mode) : mode,
+        status.hasContradictoryMode() ? Lamp::Warning : Lamp::None};
+}
+
+Word cycleWord(const Status &status)
+{
+    QStringList cycles;
+    if (status.data1 & Status::Step)
+        cycles << Words::tr("STEP");
+    if (status.data1 & Status::OneCycle)
+        cycles << Words::tr("1 CYCLE");
+    if (status.data1 & Status::Continuous)
+        cycles << Words::tr("CONTINUOUS");
+    return {cycles.isEmpty() ? Words::tr("NO CYCLE") : joined(cycles),
+        status.hasContradictoryCycle() ? Lamp::Warning : Lamp::None};
+}
+
+Word runWord(const Status &status) { return onOff(status.isRunning(), Words::tr("RUNNING"), Words::tr("stopped")); }
+
+Word servoWord(const Status &status) { return onOff(status.isServoOn(), Words::tr("ON"), Words::tr("OFF")); }
+
+Word holdWord(const Status &status)
+{
+    return status.isHeld() ? Word {joined(holdCauses(status)), Lamp::Warning} : Word {Words::tr("none"), Lamp::Hollow};
+}
+
+Word heldByPendantWord(const Status &status) { return held(status.data2 & Status::HeldByPendant); }
+
+Word heldExternallyWord(const Status &status) { return held(status.data2 & Status::HeldExternally); }
+
+Word heldByCommandWord(const Status &status) { return held(status.data2 & Status::HeldByCommand); }
+
+Word speedLimitWord(const Status &status) { return onOff(status.isSpeedLimited(), Words::tr("ON"), Words::tr("off")); }
+
+Word alarmWord(const Status &status)
+{
+    return status.hasAlarm() ? Word {Words::tr("ALARM"), Lamp::Alarm} : Word {Words::tr("none"), Lamp::Hollow};
+}
+
+Word errorWord(const Status &status)
+{
+    return status.hasError() ? Word {Words::tr("ERROR"), Lamp::Warning} : Word {Words::tr("none"), Lamp::Hollow};
+}
+
+Word summaryWord(const Status &status)
+{
+    const auto summary = [&](const QString &what, Lamp lamp) {
+        return Word {Words::tr("%1 · %2").arg(modeWord(status).text, what), lamp};
+    };
+    if (status.hasAlarm())
+        return summary(Words::tr("alarm"), Lamp::Diamond);
+    if (status.hasError())
+        return summary(Words::tr("error"), Lamp::Warning);
+    if (status.isHeld())
+        return summary(Words::tr("held"), Lamp::Warning);
+    if (status.hasContradictoryMode())
+        return summary(Words::tr("contradictory"), Lamp::Warning);
+    return status.isRunning() ? summary(Words::tr("running"), Lamp::Filled) : summary(Words::tr("idle"), Lamp::Hollow);
+}
+
+QString controllerText(QByteArrayView bytes)
+{
+    QString text;
+    text.reserve(bytes.size());
+    for (const char byte : bytes) {
+        const QChar character = QLatin1Char(byte);
+        if (character.isPrint())
+            text += character;
+        else
+            text += QStringLiteral("⟨%1⟩").arg(uchar(byte), 2, 16, QLatin1Char('0')).toUpper();
+    }
+    return text;
+}
+
+QString jobName(const values::ExecutingJob &job)
+{
+    return job.name.isEmpty() ? widgets::dash() : controllerText(job.name.bytes());
+}
+
+QString overrideText(const values::ExecutingJob &job)
+{
+    const double value = job.speedOverride / 100.0;
+    return Words::tr("%1 %").arg(QLocale().toString(value, 'g', QLocale::FloatingPointShortest));
+}
+
+QString jobPlace(const values::ExecutingJob &job)
+{
+    return Words::tr("line %1 · step %2 · %3")
+        .arg(QLocale().toString(job.line), QLocale().toString(job.step), overrideText(job));
+}
+
+QString millimetres(qint32 micrometres) { return number(micrometres / 1000.0, 3); }
+
+QString degrees(qint32 tenThousandths) { return number(tenThousandths / 10000.0, 4); }
+
+QString pulses(qint32 pulses) { return QLocale().toString(pulses); }
+
+QString roundTripText(std::optional<std::chrono::microseconds> trip)
+{
+    return trip ? Words::tr("%1 ms").arg(number(double(trip->count()) / 1000, 1)) : widgets::dash();
+}
+
+QString percent(double share) { return Words::tr("%1 %").arg(number(share * 100, 1)); }
+
+QString ageText(std::optional<std::chrono::milliseconds> age)
+{
+    if (!age)
+        return widgets::dash();
+    const double seconds = double(age->count()) / 1000;
+    return seconds < 100 ? Words::tr("%1 s").arg(number(seconds, 1)) : Words::tr("%1 min").arg(number(seconds / 60, 0));
+}
+
+} // namespace ui

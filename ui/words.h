@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "session/statistics.h"
+#include "ui/widgets/shown.h"
+#include "values/job.h"
+#include "values/status.h"
+#include <QByteArrayView>
+
+namespace ui {
+
+/// The status word (reference §3.4) in the pendant's words, as received: bits that contradict each other stand side by
+/// side under a warning shape.
+[[nodiscard]] widgets::Word modeWord(const values::Status &status); ///< "REMOTE PLAY", "TEACH + PLAY"
+[[nodiscard]] widgets::Word cycleWord(const values::Status &status);
+[[nodiscard]] widgets::Word runWord(const values::Status &status);
+[[nodiscard]] widgets::Word servoWord(const values::Status &status);
+[[nodiscard]] widgets::Word holdWord(const values::Status &status); ///< All causes: "PENDANT + COMMAND".
+[[nodiscard]] widgets::Word heldByPendantWord(const values::Status &status);
+[[nodiscard]] widgets::Word heldExternallyWord(const values::Status &status);
+[[nodiscard]] widgets::Word heldByCommandWord(const values::Status &status);
+[[nodiscard]] widgets::Word speedLimitWord(const values::Status &status);
+[[nodiscard]] widgets::Word alarmWord(const values::Status &status);
+[[nodiscard]] widgets::Word errorWord(const values::Status &status);
+
+/// One line for a tile: "REMOTE PLAY · running", "held by the pendant".
+[[nodiscard]] widgets::Word summaryWord(const values::Status &status);
+
+/// Text from the controller. It never throws and drops nothing: a byte that is no letter becomes ⟨8A⟩.
+[[nodiscard]] QString controllerText(QByteArrayView bytes);
+
+[[nodiscard]] QString jobName(const values::ExecutingJob &job); ///< "—" while no job is selected.
+[[nodiscard]] QString jobPlace(const values::ExecutingJob &job); ///< "line 47 · step 12 · 80 %"
+[[nodiscard]] QString overrideText(const values::ExecutingJob &job); ///< "80 %", "12.5 %"
+
+[[nodiscard]] QString millimetres(qint32 micrometres); ///< Three decimals, by the locale.
+[[nodiscard]] QString degrees(qint32 tenThousandths); ///< Four decimals, by the locale.
+[[nodiscard]] QString pulses(qint32 pulses); ///< Grouped, by the locale.
+
+[[nodiscard]] QString roundTripText(std::optional<std::chrono::microseconds> trip); ///< "2.1 ms", "—"
+[[nodiscard]] QString percent(double share); ///< "0.0 %" of a share from 0 to 1.
+/// "0.4 s"; minutes from 100 s on. "—" if there is none.
+[[nodiscard]] QString ageText(std::optional<std::chrono::milliseconds> age);
+
+} // namespace ui
