@@ -12,7 +12,10 @@ using values::ErrorKind;
 namespace session {
 
 Exchange::Exchange(const Policy &policy, quint8 firstId, quint32 seed)
-    : m_policy {policy}, m_ids {firstId}, m_retransmission {policy.timeout}, m_random {seed}
+    : m_policy {policy},
+      m_ids {firstId},
+      m_retransmission {policy.timeout, policy.isAdaptive ? Milliseconds {20} : policy.timeout},
+      m_random {seed}
 {
     m_open.reserve(16);
 }

@@ -17,6 +17,7 @@ constexpr int priorityCount = 4;
 /// How long and how often a session asks. Effect decides which of these applies, and nothing else does.
 struct Policy {
     Milliseconds timeout {300}; ///< The longest wait for one try of a read, and before the next try of a stop.
+    bool isAdaptive = true; ///< Repeat sooner than `timeout` where the round trips seen so far allow it.
     int repeats = 2; ///< How often an unanswered read is repeated, with the same id.
     Milliseconds controlTimeout {1000}; ///< For the single try of a write, a start or a move.
     Milliseconds servoTimeout {8000}; ///< The answer to a start may come only when power is on (reference §11).

@@ -88,10 +88,8 @@ void Session::onReceived(QByteArrayView datagram)
 void Session::finish(const Ending &ending)
 {
     auto pending = m_pending.extract(ending.ticket);
-    if (ending.reply || ending.reply.error().kind == values::ErrorKind::Refused) {
+    if (ending.reply || ending.reply.error().kind == values::ErrorKind::Refused)
         m_meter.answer(now());
-        Q_EMIT answered();
-    }
     if (!pending.empty() && pending.mapped().context)
         pending.mapped().handler(ending.reply);
 }

@@ -57,10 +57,6 @@ public:
         }
     }
 
-Q_SIGNALS:
-    /// An answer to an open request arrived, whatever it said.
-    void answered();
-
 private:
     using RawHandler = std::function<void(const values::Result<protocol::Reply> &)>;
     struct Pending {

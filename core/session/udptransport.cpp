@@ -6,17 +6,10 @@
 
 namespace session {
 
-namespace {
-
-/// More would let one busy socket starve the others in the thread.
-constexpr int datagramsPerEvent = 16;
-
-} // namespace
-
 UdpTransport::UdpTransport(const QHostAddress &address, quint16 port, QObject *parent)
     : Transport {parent}, m_address {address}, m_port {port}, m_socket {new QUdpSocket {this}}
 {
-    connect(m_socket, &QUdpSocket::readyRead, this, &UdpTransport::drain);
+    connect(m_socket, &QUdpSocket::readyRead, this, &UdpTransport::receive);
     m_socket->bind(QHostAddress {QHostAddress::AnyIPv4}, 0);
 }
 
@@ -29,19 +22,19 @@ values::Result<void> UdpTransport::send(QByteArrayView datagram)
     return values::failure(values::ErrorKind::Network, m_socket->errorString());
 }
 
-void UdpTransport::drain()
+/// One datagram an event: with many sockets in a thread none starves, and asking whether there is a second one would
+/// cost as much as the event loop telling.
+void UdpTransport::receive()
 {
     QHostAddress sender;
     quint16 port = 0;
-    for (int i = 0; i < datagramsPerEvent && m_socket->hasPendingDatagrams(); ++i) {
-        const qint64 size = m_socket->readDatagram(m_buffer.data(), qint64(m_buffer.size()), &sender, &port);
-        if (size < 0)
-            return; // an ICMP error of an earlier datagram; the request's own deadline tells
-        if (port != m_port || !sender.isEqual(m_address, QHostAddress::TolerantConversion))
-            Q_EMIT receivedFromStranger();
-        else
-            Q_EMIT received(QByteArrayView {m_buffer.data(), size});
-    }
+    const qint64 size = m_socket->readDatagram(m_buffer.data(), qint64(m_buffer.size()), &sender, &port);
+    if (size < 0)
+        return; // an ICMP error of an earlier datagram; the request's own deadline tells
+    if (port != m_port || sender != m_address)
+        Q_EMIT receivedFromStranger();
+    else
+        Q_EMIT received(QByteArrayView {m_buffer.data(), size});
 }
 
 } // namespace session

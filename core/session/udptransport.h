@@ -17,13 +17,14 @@ class UdpTransport : public Transport
     Q_OBJECT
 
 public:
+    /// `address` is IPv4.
     UdpTransport(const QHostAddress &address, quint16 port, QObject *parent = nullptr);
     ~UdpTransport() override;
 
     [[nodiscard]] values::Result<void> send(QByteArrayView datagram) override;
 
 private:
-    void drain();
+    void receive();
 
     QHostAddress m_address;
     quint16 m_port;
