@@ -3,6 +3,7 @@
 #include "support/typedrequests.h"
 
 #include "protocol/codes.h"
+#include "protocol/fileblocks.h"
 
 using namespace protocol;
 using namespace values;
@@ -346,6 +347,19 @@ const QList<Row> &rows()
 {
     static const QList<Row> all = alarmRows() + stateRows() + positionRows() + systemRows() + scalarVariableRows()
         + positionVariableRows() + pluralVariableRows() + controlRows() + moveRows();
+    return all;
+}
+
+const QList<FileRow> &fileRows()
+{
+    const auto name = [](const char *bytes) { return *FileName::create(bytes); };
+    static const QList<FileRow> all {
+        {"List of jobs in one block", listFiles("*.JBI")},
+        {"A job is loaded in two blocks", loadFile(name("DEMO01.JBI"))},
+        {"A job is saved in two blocks", saveFile(name("DEMO01.JBI"))},
+        {"A job is deleted", deleteFile(name("DEMO01.JBI"))},
+        {"The batch backup is not set up", saveFile(FileName::batchBackup())},
+    };
     return all;
 }
 

@@ -19,4 +19,12 @@ struct Row {
 
 [[nodiscard]] const QList<Row> &rows();
 
+struct FileRow {
+    const char *title; ///< Of the golden exchange.
+    protocol::Request request;
+};
+
+/// The requests of the file port.
+[[nodiscard]] const QList<FileRow> &fileRows();
+
 } // namespace typed
