@@ -20,11 +20,7 @@ template <> struct Layout<values::CycleSelection> {
 
 /// Reference §6: 0x85. Some clients send the text without padding.
 template <> struct Layout<values::PendantText> {
-    static void describe(auto &visit, auto &message)
-    {
-        visit.optional();
-        visit.element("text", message.text);
-    }
+    static void describe(auto &visit, auto &message) { visit.paddedElement("text", message.text); }
 };
 
 /// Reference §6.1.

@@ -51,6 +51,12 @@ public:
             m_fields += show(name, value);
     }
 
+    template <typename Value> void paddedElement(const char *name, Value &value)
+    {
+        if (m_reader.paddedElement(name, value))
+            m_fields += show(name, value);
+    }
+
     /// One list; what is empty at its end is left out.
     void each(const char *name, auto &values)
     {

@@ -24,6 +24,7 @@ namespace protocol {
 /// The reader, the writer, the field tree and the virtual controller are visitors of it, so an offset is never written
 /// down. Names are those of `pendeskctl decode`. A visitor has:
 ///   element(name, field)        one element, one attribute number
+///   paddedElement(name, field)  the same, but some leave out the padding at its end
 ///   each(name, fields)          one element each, under one name
 ///   axes(name, words, type)     one element an axis; on reading, as many as the payload holds
 ///   eightAxes(name, words, type)  the same, but eight axis words always stand on the wire
@@ -63,6 +64,14 @@ public:
 
     /// True if the element takes part and was there.
     template <typename Field> bool element(const char *, Field &field) { return m_cursor.next() && take(field); }
+
+    template <typename Field> bool paddedElement(const char *name, Field &field)
+    {
+        m_isOptional = true;
+        const bool isThere = element(name, field);
+        m_isOptional = false;
+        return isThere;
+    }
 
     void each(const char *name, auto &fields)
     {
@@ -138,6 +147,8 @@ public:
             put(field);
     }
 
+    void paddedElement(const char *name, const auto &field) { element(name, field); }
+
     void each(const char *name, const auto &fields)
     {
         for (const auto &field : fields)
@@ -180,6 +191,7 @@ class Measure
 {
 public:
     template <typename Field> void element(const char *, const Field &) { count(1, Wire<Field>::size); }
+    void paddedElement(const char *name, const auto &field) { element(name, field); }
     template <typename Fields> void each(const char *, const Fields &fields)
     {
         count(int(fields.size()), Wire<typename Fields::value_type>::size);

@@ -35,6 +35,7 @@ struct Chunk {
     quint16 count; ///< What the packet asks for; 1 means that it is read or written singly.
     quint16 wanted; ///< How many of them belong to the range; the rest is dropped.
 
+    [[nodiscard]] constexpr bool isSingle() const { return count == 1; }
     bool operator==(const Chunk &) const = default;
 };
 
