@@ -5,11 +5,9 @@
 using protocol::ClientPacket;
 using protocol::FrameFault;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 // Reference §1.7.
 enum FrameCode : quint16 {
@@ -24,20 +22,14 @@ enum FrameCode : quint16 {
 quint16 codeOf(FrameFault fault)
 {
     switch (fault) {
-    case FrameFault::HeaderSize:
-        return WrongHeaderSize;
-    case FrameFault::PayloadSize:
-        return WrongPayloadSize;
-    case FrameFault::TooLarge:
-        return TooLarge;
-    case FrameFault::Division:
-        return WrongDivision;
-    case FrameFault::Ack:
-        return WrongAck;
+    case FrameFault::HeaderSize: return WrongHeaderSize;
+    case FrameFault::PayloadSize: return WrongPayloadSize;
+    case FrameFault::TooLarge: return TooLarge;
+    case FrameFault::Division: return WrongDivision;
+    case FrameFault::Ack: return WrongAck;
     case FrameFault::None:
     case FrameFault::TooShort:
-    case FrameFault::Identifier:
-        break;
+    case FrameFault::Identifier: break;
     }
     return 0;
 }
@@ -45,14 +37,10 @@ quint16 codeOf(FrameFault fault)
 quint8 bareStatus(quint16 code)
 {
     switch (code) {
-    case 0xA000:
-        return 0x08;
-    case 0xA001:
-        return 0x28;
-    case 0xA002:
-        return 0x09;
-    default:
-        return 0;
+    case 0xA000: return 0x08;
+    case 0xA001: return 0x28;
+    case 0xA002: return 0x09;
+    default: return 0;
     }
 }
 

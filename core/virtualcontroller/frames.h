@@ -5,8 +5,7 @@
 #include "protocol/packet.h"
 
 /// Frames as the controller judges and makes them (reference §1.4, §1.5, §1.7).
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 /// What becomes of a datagram before anybody looks at what it asks for.
 struct FrameVerdict {

@@ -12,11 +12,9 @@ using protocol::Command;
 using protocol::Request;
 using protocol::Service;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 bool isSingle(Service service) { return service == Service::GetSingle || service == Service::SetSingle; }
 

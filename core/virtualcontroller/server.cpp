@@ -9,11 +9,9 @@
 #include <QTimer>
 #include <QUdpSocket>
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 constexpr int datagramsAtOnce = 16; ///< Then the event loop gets its turn.
 
@@ -27,7 +25,10 @@ std::function<Time()> realTime()
 } // namespace
 
 Server::Server(const Options &options, QObject *parent)
-    : QObject {parent}, m_options {options}, m_memory {options.settings}, m_robotSocket {new QUdpSocket {this}},
+    : QObject {parent},
+      m_options {options},
+      m_memory {options.settings},
+      m_robotSocket {new QUdpSocket {this}},
       m_fileSocket {new QUdpSocket {this}}
 {
     if (!m_options.clock)

@@ -11,8 +11,7 @@
 
 class QUdpSocket;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 struct Options {
     QHostAddress address = QHostAddress::LocalHost;
