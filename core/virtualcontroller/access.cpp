@@ -4,6 +4,7 @@
 
 #include "protocol/catalog.h"
 #include "protocol/payloads.h"
+#include "virtualcontroller/cells.h"
 
 using protocol::Request;
 using values::Status;
@@ -81,9 +82,10 @@ std::vector<Access> matrixRows()
         {0x8A, all, any, toMove},
         {0x8B, all, any, toMove},
     };
-    for (const quint16 data : {0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D, 0x7E, 0x7F, 0x80, 0x81, 0x8C, 0x300, 0x301, 0x302,
-             0x303, 0x304, 0x305, 0x306, 0x307, 0x308, 0x309, 0x30C})
-        rows.push_back({data, all, any, {dataFree, notEdited}});
+    for (const CellKind &kind : cellKinds()) {
+        for (const quint16 command : {kind.single, kind.plural})
+            rows.push_back({command, all, any, {dataFree, notEdited}});
+    }
     return rows;
 }
 

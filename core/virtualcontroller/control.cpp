@@ -18,16 +18,14 @@ namespace {
 constexpr quint32 on = 1;
 constexpr quint32 off = 2;
 
-/// The size fits, and the word lies in first..last.
+quint32 wordOf(const Request &request) { return protocol::decode<ControlWord>(request.payload)->value; }
+
+/// The word lies in first..last.
 template <quint32 first, quint32 last> quint16 checkWord(const Request &request, const Memory &)
 {
-    const auto word = protocol::decode<ControlWord>(request.payload);
-    if (!word)
-        return SizeFault;
-    return word->value >= first && word->value <= last ? 0 : RangeFault;
+    const quint32 word = wordOf(request);
+    return word >= first && word <= last ? 0 : RangeFault;
 }
-
-quint32 wordOf(const Request &request) { return protocol::decode<ControlWord>(request.payload)->value; }
 
 Answer reset(const Request &request, Memory &memory)
 {
@@ -56,10 +54,8 @@ Answer selectCycle(const Request &request, Memory &memory)
 /// 30 characters, padded or not (reference §6).
 quint16 checkText(const Request &request, const Memory &)
 {
-    const auto message = protocol::decode<values::PendantText>(request.payload);
-    if (!message || request.payload.isEmpty())
-        return SizeFault;
-    return message->text.bytes().size() <= values::PendantText::maxBytes ? 0 : RangeFault;
+    const auto message = *protocol::decode<values::PendantText>(request.payload);
+    return message.text.bytes().size() <= values::PendantText::maxBytes ? 0 : RangeFault;
 }
 
 Answer showText(const Request &request, Memory &memory)
@@ -76,11 +72,9 @@ Answer start(const Request &, Memory &memory)
 
 quint16 checkSelection(const Request &request, const Memory &)
 {
-    const auto selection = protocol::decode<values::JobSelection>(request.payload);
-    if (!selection)
-        return SizeFault;
     constexpr quint32 lastLine = 9999;
-    return selection->line <= lastLine && !selection->job.isEmpty() ? 0 : RangeFault;
+    const auto selection = *protocol::decode<values::JobSelection>(request.payload);
+    return selection.line <= lastLine && !selection.job.isEmpty() ? 0 : RangeFault;
 }
 
 Answer select(const Request &request, Memory &memory)

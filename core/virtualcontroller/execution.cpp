@@ -166,8 +166,7 @@ void setVariable(Memory &memory, const Instruction &instruction)
     const qint64 value = valueOf(memory, instruction.operand(2));
     withVariable(memory, word < 0 ? QByteArray {} : instruction.operand(1), [&](auto &cell) {
         const qint64 old = cell;
-        const std::array<qint64, 8> results {
-            value, value, old + 1, old - 1, old + value, old - value, old * value, 0};
+        const std::array<qint64, 8> results {value, value, old + 1, old - 1, old + value, old - value, old * value, 0};
         cell = std::remove_reference_t<decltype(cell)>(results[std::size_t(word)]);
     });
 }

@@ -18,9 +18,6 @@ namespace virtualcontroller {
 
 namespace {
 
-constexpr std::size_t variableCount = 100; ///< B I D R S (reference §4.3).
-constexpr std::size_t positionVariableCount = 128; ///< P BP EX (reference §4.4).
-
 std::map<QByteArray, QByteArray> demoFiles()
 {
     initializeDemoResource();
@@ -90,15 +87,17 @@ void fillInformation(Memory &memory)
 
 void fillVariables(Memory &memory)
 {
+    const auto variables = std::size_t(memory.dialect.variables);
+    const auto positions = std::size_t(memory.dialect.positionVariables);
     memory.registers.resize(protocol::registers.count());
-    memory.b.resize(variableCount);
-    memory.i.resize(variableCount);
-    memory.d.resize(variableCount);
-    memory.r.resize(variableCount);
-    memory.s.resize(variableCount);
-    memory.p.resize(positionVariableCount);
-    memory.bp.resize(positionVariableCount);
-    memory.ex.resize(positionVariableCount);
+    memory.b.resize(variables);
+    memory.i.resize(variables);
+    memory.d.resize(variables);
+    memory.r.resize(variables);
+    memory.s.resize(variables);
+    memory.p.resize(positions);
+    memory.bp.resize(positions);
+    memory.ex.resize(positions);
     memory.i[0] = {120};
     memory.d[0] = {4711};
     memory.r[0] = {12.5F};
@@ -110,8 +109,13 @@ void fillVariables(Memory &memory)
 
 } // namespace
 
-Memory::Memory(const Settings &newSettings) : settings {newSettings}, histories {pastAlarms()}, files {demoFiles()}
+Memory::Memory(const Settings &newSettings)
+    : settings {newSettings},
+      dialect {protocol::dialect(newSettings.model)},
+      histories {pastAlarms()},
+      files {demoFiles()}
 {
+    dialect.numbering = settings.numbering;
     status.data1 = Status::Data1 {Status::OneCycle} | Status::Play | Status::Remote;
     tasks.resize(1);
     groups.push_back({ControlGroup::robotPulse(1), kinematics::toCartesian(AxisWords {0, 0, 0, 0, 0, 0}), {}});

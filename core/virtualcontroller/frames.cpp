@@ -16,6 +16,7 @@ enum FrameCode : quint16 {
     WrongAck = 0xE4A2,
     WrongDivision = 0xE4A3,
     WrongHeaderSize = 0xE4A5,
+    WrongIdentifier = 0xE4A6,
     WrongPayloadSize = 0xE4A7,
 };
 
@@ -54,9 +55,11 @@ protocol::Reply replyTo(const ClientPacket &packet, quint32 block)
 
 } // namespace
 
-FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division)
+FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division, bool answersWrongIdentifier)
 {
     const FrameFault fault = protocol::checkFrame(datagram);
+    if (fault == FrameFault::Identifier && answersWrongIdentifier)
+        return {false, WrongIdentifier};
     if (fault == FrameFault::TooShort || fault == FrameFault::Identifier)
         return {true, 0};
     if (fault == FrameFault::None && protocol::peekClientPacket(datagram).framing.division != division)
@@ -64,7 +67,7 @@ FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division)
     return {false, codeOf(fault)};
 }
 
-quint16 robotFramingFault(const protocol::Framing &framing)
+quint16 requestFramingFault(const protocol::Framing &framing)
 {
     if (framing.ack)
         return WrongAck;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "protocol/catalog.h"
-#include "protocol/layout.h"
 #include "virtualcontroller/memory.h"
 
 namespace virtualcontroller {
@@ -16,12 +15,8 @@ enum Fault : quint16 {
     CommandFault = 0xA000,
     InstanceFault = 0xA001,
     AttributeFault = 0xA002,
-    /// The command does not know the service. The reference has no code for it; "command faulty" comes nearest.
-    ServiceFault = 0x1010,
-    ReplyTooLarge = 0xA101,
     Undefined = 0xB001,
     NotAccessible = 0xB002,
-    SizeFault = 0xB003,
     RangeFault = 0xB004,
     GroupFault = 0xB008,
     SpeedFault = 0xB009,
@@ -34,10 +29,10 @@ enum Fault : quint16 {
 
 inline tl::unexpected<quint16> refused(quint16 code) { return tl::unexpected(code); }
 
-/// What the virtual controller does with one command, whose address has been checked.
+/// What the virtual controller does with one command. Address and size of the request have been checked.
 struct Handler {
     quint16 command;
-    /// Looks at the request alone: an added status or 0.
+    /// Looks at the values of a request that fits: an added status or 0. May be missing.
     quint16 (*check)(const protocol::Request &, const Memory &);
     /// Called when nothing stands against the request.
     Answer (*execute)(const protocol::Request &, Memory &);
@@ -52,16 +47,10 @@ struct Handler {
 [[nodiscard]] std::span<const Handler> controlHandlers(); ///< §6
 [[nodiscard]] std::span<const Handler> moveHandlers(); ///< §6.2, §6.3
 
-/// A request that reads carries nothing.
-inline quint16 checkEmpty(const protocol::Request &request, const Memory &)
-{
-    return request.payload.isEmpty() ? 0 : SizeFault;
-}
-
-/// The elements that the request asks for; a single element and "all" are the same thing.
+/// The elements of a value that the request asks for.
 template <typename Value> Answer show(const Value &value, const protocol::Request &request)
 {
-    return protocol::encode(value, protocol::measure<Value>().elements == 1 ? 0 : request.attribute);
+    return protocol::encode(value, request.service == protocol::Service::GetSingle ? request.attribute : 0);
 }
 
 } // namespace virtualcontroller

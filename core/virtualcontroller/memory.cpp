@@ -69,14 +69,14 @@ values::FixedText<16> Memory::clockText() const
 
 bool Memory::signal(IoArea area, int number) const
 {
-    const auto [group, bit] = signalPlace(dialect(), area, number);
+    const auto [group, bit] = signalPlace(dialect, area, number);
     const auto found = io.find(group);
     return found != io.end() && values::IoGroup {found->second}.isOn(bit);
 }
 
 void Memory::setSignal(IoArea area, int number, bool on)
 {
-    const auto [group, bit] = signalPlace(dialect(), area, number);
+    const auto [group, bit] = signalPlace(dialect, area, number);
     io[group] = values::IoGroup {io[group]}.with(bit, on).bits;
 }
 

@@ -23,7 +23,7 @@ namespace virtualcontroller {
 /// How the controller is made: what a real one has as model, parameters and options.
 struct Settings {
     protocol::Model model = protocol::Model::YRC1000;
-    int numbering = 0; ///< RS022: a variable's instance is its number plus this, 0 or 1 (reference §10.1).
+    protocol::Numbering numbering = protocol::Numbering::FromZero; ///< Parameter RS022 (reference §10.1).
     bool usesBareStatuses = false; ///< Answers 0x08, 0x09, 0x28 instead of 0x1F with a code (reference §1.6).
     bool answersWrongIdentifier = false; ///< With 0xE4A6, instead of dropping the datagram (reference §1.7).
     bool refusesElementsOfP = false; ///< 0x0E and 0x10 on P variables end in 0xA002 (reference §12, conflict 47).
@@ -84,6 +84,7 @@ struct RunningTime {
 /// functions of machine.h keep it consistent.
 struct Memory {
     Settings settings;
+    protocol::Dialect dialect; ///< Of the settings' model and numbering.
     QDateTime switchedOn = QDateTime::currentDateTime(); ///< The wall clock at time 0.
     Time now {}; ///< How far advance() has come.
 
@@ -122,7 +123,6 @@ struct Memory {
     /// As a demo shows itself: servo power on and a job running in continuous mode.
     [[nodiscard]] static Memory demo(const Settings &settings = {});
 
-    [[nodiscard]] const protocol::Dialect &dialect() const { return protocol::dialect(settings.model); }
     /// The group of a pulse or cartesian instance (reference §2.1); nullptr if it is not configured.
     [[nodiscard]] Group *findGroup(values::ControlGroup group);
     [[nodiscard]] const Group *findGroup(values::ControlGroup group) const;

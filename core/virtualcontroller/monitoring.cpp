@@ -114,20 +114,20 @@ Answer readTime(const Request &request, Memory &memory)
 std::span<const Handler> monitoringHandlers()
 {
     static constexpr std::array rows {
-        Handler {0x70, checkEmpty, readAlarm},
-        Handler {0x71, checkEmpty, readPastAlarm},
-        Handler {0x72, checkEmpty, readStatus},
-        Handler {0x73, checkEmpty, readJob},
-        Handler {0x74, checkEmpty, readAxisNames},
-        Handler {0x75, checkEmpty, readPosition},
-        Handler {0x76, checkEmpty, readFollowingError},
-        Handler {0x77, checkEmpty, readTorque},
-        Handler {0x88, checkEmpty, readTime},
-        Handler {0x89, checkEmpty, readEntry<&Memory::systemInformation>},
-        Handler {0x30A, checkEmpty, readAlarmTexts},
-        Handler {0x30B, checkEmpty, readPastAlarmTexts},
-        Handler {0x411, checkEmpty, readEntry<&Memory::encoderTemperatures>},
-        Handler {0x413, checkEmpty, readEntry<&Memory::converterTemperatures>},
+        Handler {0x70, nullptr, readAlarm},
+        Handler {0x71, nullptr, readPastAlarm},
+        Handler {0x72, nullptr, readStatus},
+        Handler {0x73, nullptr, readJob},
+        Handler {0x74, nullptr, readAxisNames},
+        Handler {0x75, nullptr, readPosition},
+        Handler {0x76, nullptr, readFollowingError},
+        Handler {0x77, nullptr, readTorque},
+        Handler {0x88, nullptr, readTime},
+        Handler {0x89, nullptr, readEntry<&Memory::systemInformation>},
+        Handler {0x30A, nullptr, readAlarmTexts},
+        Handler {0x30B, nullptr, readPastAlarmTexts},
+        Handler {0x411, nullptr, readEntry<&Memory::encoderTemperatures>},
+        Handler {0x413, nullptr, readEntry<&Memory::converterTemperatures>},
     };
     return rows;
 }

@@ -6,9 +6,9 @@
 #include "virtualcontroller/machine.h"
 
 using protocol::Request;
+using values::CartesianMove;
 using values::CartesianTarget;
 using values::ControlGroup;
-using values::MoveType;
 using values::PositionType;
 using values::PulseTarget;
 using values::SpeedClass;
@@ -36,9 +36,8 @@ quint16 checkGroup(const auto &target, const Memory &memory)
 }
 
 /// Percent goes with joint moves, the other classes with straight ones.
-quint16 checkSpeed(values::Speed speed, MoveType type)
+quint16 checkSpeed(values::Speed speed, bool isJoint)
 {
-    const bool isJoint = type == MoveType::JointAbsolute;
     if (speed.kind > SpeedClass::Rotation || isJoint != (speed.kind == SpeedClass::Percent))
         return SpeedFault;
     if (speed.value == 0)
@@ -62,27 +61,23 @@ quint16 checkGroupAndSpeed(const auto &target, const Request &request, const Mem
 {
     if (const quint16 fault = checkGroup(target, memory))
         return fault;
-    return checkSpeed(target.speed, MoveType(request.instance));
+    return checkSpeed(target.speed, request.instance == quint16(CartesianMove::JointAbsolute));
 }
 
 quint16 checkCartesian(const Request &request, const Memory &memory)
 {
-    const auto target = protocol::decode<CartesianTarget>(request.payload);
-    if (!target)
-        return SizeFault;
-    if (const quint16 fault = checkGroupAndSpeed(*target, request, memory))
+    const auto target = *protocol::decode<CartesianTarget>(request.payload);
+    if (const quint16 fault = checkGroupAndSpeed(target, request, memory))
         return fault;
-    return checkFrame(*target);
+    return checkFrame(target);
 }
 
 quint16 checkPulse(const Request &request, const Memory &memory)
 {
-    const auto target = protocol::decode<PulseTarget>(request.payload);
-    if (!target)
-        return SizeFault;
-    if (const quint16 fault = checkGroupAndSpeed(*target, request, memory))
+    const auto target = *protocol::decode<PulseTarget>(request.payload);
+    if (const quint16 fault = checkGroupAndSpeed(target, request, memory))
         return fault;
-    return target->tool > lastTool ? ToolFault : 0;
+    return target.tool > lastTool ? ToolFault : 0;
 }
 
 /// The first words of several arrays, as many as `count`.
@@ -127,7 +122,7 @@ Answer moveCartesian(const Request &request, Memory &memory)
 {
     const auto target = *protocol::decode<CartesianTarget>(request.payload);
     auto words = joined(values::maxAxes, {target.xyz, target.rotation});
-    if (target.robot != 0 && MoveType(request.instance) == MoveType::StraightIncremental) {
+    if (target.robot != 0 && CartesianMove(request.instance) == CartesianMove::StraightIncremental) {
         const Group *robot = memory.findGroup(ControlGroup::robotPulse(int(target.robot)));
         words = sum(robot->pose, words);
     }
