@@ -5,6 +5,7 @@
 #include "protocol/catalog.h"
 #include "protocol/payloads.h"
 #include "virtualcontroller/cells.h"
+#include <algorithm>
 
 using protocol::Request;
 using values::Status;
@@ -17,6 +18,7 @@ namespace {
 using Condition = quint16 (*)(const Memory &, const Request &);
 
 quint16 remote(const Memory &m, const Request &) { return m.status.isRemote() ? 0 : 0x2100; }
+quint16 fileRemote(const Memory &m, const Request &) { return m.status.isRemote() ? 0 : 0xE2B2; }
 quint16 play(const Memory &m, const Request &) { return m.status.isPlay() ? 0 : 0x2080; }
 quint16 noAlarm(const Memory &m, const Request &) { return m.status.hasAlarm() || m.status.hasError() ? 0x2060 : 0; }
 quint16 safe(const Memory &m, const Request &) { return m.interlocks.isSafetyChainClosed ? 0 : 0x3450; }
@@ -102,22 +104,30 @@ bool concerns(const Access &row, const Request &request)
         && (row.word == any || row.word == word);
 }
 
+quint16 firstRefusal(const QList<Condition> &conditions, const Memory &memory, const Request &request)
+{
+    for (const Condition condition : conditions) {
+        if (const quint16 code = condition(memory, request))
+            return code;
+    }
+    return 0;
+}
+
 } // namespace
 
 quint16 accessRefusal(const Request &request, const Memory &memory)
 {
     if (protocol::effectOf(request) == protocol::Effect::Reads)
         return 0;
-    for (const Access &row : matrix()) {
-        if (!concerns(row, request))
-            continue;
-        for (const Condition condition : row.conditions) {
-            if (const quint16 code = condition(memory, request))
-                return code;
-        }
-        return 0;
-    }
-    return 0;
+    const auto row = std::ranges::find_if(matrix(), [&](const Access &access) { return concerns(access, request); });
+    return row == matrix().end() ? 0 : firstRefusal(row->conditions, memory, request);
+}
+
+quint16 fileAccessRefusal(protocol::Service service, const Memory &memory)
+{
+    static const QList<Condition> always;
+    static const QList<Condition> remotely {fileRemote, notEdited, filesFree};
+    return firstRefusal(service == protocol::Service::ListFiles ? always : remotely, memory, {});
 }
 
 } // namespace virtualcontroller

@@ -28,6 +28,7 @@ struct Settings {
     bool answersWrongIdentifier = false; ///< With 0xE4A6, instead of dropping the datagram (reference §1.7).
     bool refusesElementsOfP = false; ///< 0x0E and 0x10 on P variables end in 0xA002 (reference §12, conflict 47).
     bool hasBatchBackup = false; ///< /SPDRV/CMOSBK.BIN can be saved; else 0xE24F (reference §7.5).
+    bool refusesEmptyLists = true; ///< With 0xE2A7; else an empty block is sent (reference §7.4).
     bool mayOverwriteFiles = true; ///< RS029 and RS214 are 1 (reference §10.1).
     quint16 overwriteRefusal = 0xE28C; ///< Or 0x4030 (reference §7.6).
     Time servoDelay = 800ms; ///< From the order to servo power on.
@@ -87,6 +88,8 @@ struct Memory {
     protocol::Dialect dialect; ///< Of the settings' model and numbering.
     QDateTime switchedOn = QDateTime::currentDateTime(); ///< The wall clock at time 0.
     Time now {}; ///< How far advance() has come.
+
+    Time silentUntil {}; ///< The server answers nothing until then; the responders do not care.
 
     values::Status status;
     Interlocks interlocks;
