@@ -163,7 +163,7 @@ Result<SimOptions> parseOptions(const QStringList &arguments)
     QCommandLineParser parser;
     addOptions(parser);
     if (!parser.parse(arguments))
-        return mistake(parser.errorText() + QLatin1Char('.'));
+        return mistake(parser.errorText());
     if (!parser.positionalArguments().isEmpty())
         return mistake(QStringLiteral("\"%1\" is not an option.").arg(parser.positionalArguments().first()));
     const auto settings = settingsOf(parser);

@@ -190,7 +190,8 @@ std::optional<QByteArray> respondFile(QByteArrayView datagram, const QByteArray 
     const FrameVerdict verdict = judgeFrame(datagram, protocol::Division::File, memory.settings.answersWrongIdentifier);
     if (verdict.isDropped)
         return std::nullopt;
-    const ClientPacket packet = protocol::peekClientPacket(datagram);
+    ClientPacket packet = protocol::peekClientPacket(datagram);
+    packet.framing.division = protocol::Division::File; // a refusal of a wrong one is a good frame
     if (verdict.code)
         return refusalReply(packet, verdict.code);
     return packet.framing.ack ? goOn(datagram, packet, peer, memory) : begin(packet, peer, memory);

@@ -62,7 +62,8 @@ std::optional<QByteArray> respond(QByteArrayView datagram, Memory &memory, Time 
         judgeFrame(datagram, protocol::Division::Robot, memory.settings.answersWrongIdentifier);
     if (verdict.isDropped)
         return std::nullopt;
-    const ClientPacket packet = protocol::peekClientPacket(datagram);
+    ClientPacket packet = protocol::peekClientPacket(datagram);
+    packet.framing.division = protocol::Division::Robot; // a refusal of a wrong one is a good frame
     if (const quint16 fault = verdict.code ? verdict.code : requestFramingFault(packet.framing))
         return refusalReply(packet, fault);
     const Answer result = answer(tidied(packet.request()), memory);
