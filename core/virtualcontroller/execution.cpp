@@ -2,18 +2,18 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "virtualcontroller/execution.h"
 
-#include "virtualcontroller/kinematics.h"
+#include "virtualcontroller/alarms.h"
 #include "virtualcontroller/machine.h"
 #include "virtualcontroller/speed.h"
 
 using protocol::IoArea;
+using values::Speed;
+using values::SpeedClass;
 using values::Status;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 constexpr Time lookAgain = 20ms; ///< How often WAIT looks at its signal.
 constexpr std::size_t deepestCall = 8;
@@ -36,12 +36,19 @@ std::optional<IoArea> signalArea(const QByteArray &operand)
     return std::nullopt;
 }
 
-/// The B variable that "B012" names; nullptr for anything else.
-quint8 *byteVariable(Memory &memory, const QByteArray &operand)
+/// Calls `function` with the cell of the B, I or D variable that "B012" names; false for anything else.
+template <typename Function> bool withVariable(Memory &memory, const QByteArray &operand, Function function)
 {
     bool ok = false;
-    const uint number = operand.startsWith('B') ? operand.sliced(1).toUInt(&ok) : 0;
-    return ok && number < memory.bytes.size() ? &memory.bytes[number] : nullptr;
+    const uint number = operand.isEmpty() ? 0 : operand.sliced(1).toUInt(&ok);
+    if (!ok || number >= memory.b.size())
+        return false;
+    switch (operand[0]) {
+    case 'B': function(memory.b[number].value); return true;
+    case 'I': function(memory.i[number].value); return true;
+    case 'D': function(memory.d[number].value); return true;
+    default: return false;
+    }
 }
 
 /// The value of "B012", "IN#(3)", "ON", "OFF" or a number.
@@ -49,9 +56,9 @@ int valueOf(Memory &memory, const QByteArray &operand)
 {
     if (const auto area = signalArea(operand))
         return memory.signal(*area, signalNumber(operand));
-    if (const quint8 *byte = byteVariable(memory, operand))
-        return *byte;
-    return operand == "ON" ? 1 : operand.toInt();
+    int value = operand == "ON" ? 1 : operand.toInt();
+    withVariable(memory, operand, [&value](const auto &cell) { value = int(cell); });
+    return value;
 }
 
 /// A comparison such as "IN#(1)=ON" or "B000>=3".
@@ -84,30 +91,44 @@ bool applies(Memory &memory, const Instruction &instruction)
 
 Speed speedOf(const Instruction &instruction)
 {
-    if (const auto percent = instruction.valueOf("VJ=").toDouble(); percent > 0)
-        return {Speed::Kind::Percent, percent};
-    if (const auto rotation = instruction.valueOf("VR=").toDouble(); rotation > 0)
-        return {Speed::Kind::Rotation, rotation};
-    const auto linear = instruction.valueOf("V=").toDouble();
-    return {Speed::Kind::Linear, linear > 0 ? linear : 100};
+    const auto wire = [&](const char *key, double units) {
+        return quint32(std::max(0.0, instruction.valueOf(key).toDouble() * units));
+    };
+    if (const quint32 percent = wire("VJ=", 100))
+        return {SpeedClass::Percent, percent};
+    if (const quint32 rotation = wire("VR=", 10))
+        return {SpeedClass::Rotation, rotation};
+    const quint32 linear = wire("V=", 10);
+    return {SpeedClass::ToolPoint, linear ? linear : 1000};
 }
 
-/// Begins a move of the first robot; how long it takes.
+/// The position that a move goes to: one of the job, or a P variable.
+std::optional<values::Position> target(const Memory &memory, const Program &program, const QByteArray &name)
+{
+    const auto found = program.positions.find(name);
+    if (found != program.positions.end())
+        return found->second;
+    bool ok = false;
+    const uint number = name.startsWith('P') ? name.sliced(1).toUInt(&ok) : 0;
+    if (!ok || number >= memory.p.size() || !memory.p[number])
+        return std::nullopt;
+    return memory.p[number]->position;
+}
+
+/// Begins a move of the first robot; how long it takes. Without a position, or with one out of reach, there is an
+/// alarm.
 Time beginMove(Memory &memory, const Task &task, const Instruction &instruction)
 {
-    const auto &positions = task.stack.back().program->positions;
-    const auto found = positions.find(instruction.operand(1));
-    if (found == positions.end() || memory.groups.empty())
+    const auto position = target(memory, *task.stack.back().program, instruction.operand(1));
+    if (!position) {
+        raiseAlarm(memory, 4446, "UNDEFINED POSITION");
         return 0ms;
+    }
     Group &robot = memory.groups.front();
-    const auto &position = found->second;
-    auto target = position.type == values::PositionType::Pulse ? kinematics::toCartesian(position.axes) : position.axes;
-    target.resize(robot.pose.count());
-    Speed speed = speedOf(instruction);
-    speed.value *= std::max(task.speedOverride, 1U) / 10000.0;
-    const Time takes = travelTime(robot.pose, target, speed);
-    robot.motion = Motion {robot.pose, target, memory.now, memory.now + takes};
-    return takes;
+    const auto unit = position->type == values::PositionType::Pulse ? GroupWords::Pulses : GroupWords::Cartesian;
+    const double share = std::max(task.speedOverride, 1U) / 10000.0;
+    const bool moves = moveGroup(memory, robot.group, position->axes, unit, speedOf(instruction), share);
+    return moves ? robot.motion->end - memory.now : 0ms;
 }
 
 Time durationOf(Memory &memory, const Task &task, const Instruction &instruction)
@@ -123,9 +144,10 @@ Time durationOf(Memory &memory, const Task &task, const Instruction &instruction
 void beginLine(Memory &memory, Task &task)
 {
     const Frame &frame = task.stack.back();
-    task.isExecuting = true;
+    const Time takes = durationOf(memory, task, frame.program->lines[std::size_t(frame.line)]);
+    task.isExecuting = memory.isJobRunning; // an alarm may have ended it
     task.begun = memory.now;
-    task.due = memory.now + durationOf(memory, task, frame.program->lines[std::size_t(frame.line)]);
+    task.due = memory.now + takes;
 }
 
 /// True while WAIT has neither its signal nor its time.
@@ -139,16 +161,14 @@ bool isWaiting(Memory &memory, const Task &task, const Instruction &instruction)
 
 void setVariable(Memory &memory, const Instruction &instruction)
 {
-    quint8 *variable = byteVariable(memory, instruction.operand(1));
-    if (!variable)
-        return;
-    const QByteArray word = instruction.word();
-    if (word == "SET" || word == "DIN")
-        *variable = quint8(valueOf(memory, instruction.operand(2)));
-    else if (word == "INC")
-        ++*variable;
-    else if (word == "DEC")
-        --*variable;
+    static const QByteArrayList words {"SET", "DIN", "INC", "DEC", "ADD", "SUB", "MUL", "CLEAR"};
+    const auto word = words.indexOf(instruction.word());
+    const qint64 value = valueOf(memory, instruction.operand(2));
+    withVariable(memory, word < 0 ? QByteArray {} : instruction.operand(1), [&](auto &cell) {
+        const qint64 old = cell;
+        const std::array<qint64, 8> results {value, value, old + 1, old - 1, old + value, old - value, old * value, 0};
+        cell = std::remove_reference_t<decltype(cell)>(results[std::size_t(word)]);
+    });
 }
 
 void setOutput(Memory &memory, const Instruction &instruction)

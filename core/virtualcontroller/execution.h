@@ -5,10 +5,9 @@
 #include "virtualcontroller/memory.h"
 
 /// The executing job of the master task, line by line, while Memory::isJobRunning. Understood are the moves, CALL, RET,
-/// END, JUMP with labels and conditions, TIMER, WAIT, PAUSE, DOUT, PULSE, DIN, SET, INC and DEC; every other
-/// instruction takes its time and does nothing.
-namespace virtualcontroller
-{
+/// END, JUMP with labels and conditions, TIMER, WAIT, PAUSE, DOUT, PULSE, DIN, SET, INC, DEC, ADD, SUB, MUL and CLEAR
+/// of B, I and D; every other instruction takes its time and does nothing.
+namespace virtualcontroller {
 
 /// When the line being executed is due; Time::max() while no job runs.
 [[nodiscard]] Time nextLine(const Memory &memory);

@@ -5,11 +5,9 @@
 using protocol::ClientPacket;
 using protocol::FrameFault;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 // Reference §1.7.
 enum FrameCode : quint16 {
@@ -18,26 +16,21 @@ enum FrameCode : quint16 {
     WrongAck = 0xE4A2,
     WrongDivision = 0xE4A3,
     WrongHeaderSize = 0xE4A5,
+    WrongIdentifier = 0xE4A6,
     WrongPayloadSize = 0xE4A7,
 };
 
 quint16 codeOf(FrameFault fault)
 {
     switch (fault) {
-    case FrameFault::HeaderSize:
-        return WrongHeaderSize;
-    case FrameFault::PayloadSize:
-        return WrongPayloadSize;
-    case FrameFault::TooLarge:
-        return TooLarge;
-    case FrameFault::Division:
-        return WrongDivision;
-    case FrameFault::Ack:
-        return WrongAck;
+    case FrameFault::HeaderSize: return WrongHeaderSize;
+    case FrameFault::PayloadSize: return WrongPayloadSize;
+    case FrameFault::TooLarge: return TooLarge;
+    case FrameFault::Division: return WrongDivision;
+    case FrameFault::Ack: return WrongAck;
     case FrameFault::None:
     case FrameFault::TooShort:
-    case FrameFault::Identifier:
-        break;
+    case FrameFault::Identifier: break;
     }
     return 0;
 }
@@ -45,14 +38,10 @@ quint16 codeOf(FrameFault fault)
 quint8 bareStatus(quint16 code)
 {
     switch (code) {
-    case 0xA000:
-        return 0x08;
-    case 0xA001:
-        return 0x28;
-    case 0xA002:
-        return 0x09;
-    default:
-        return 0;
+    case 0xA000: return 0x08;
+    case 0xA001: return 0x28;
+    case 0xA002: return 0x09;
+    default: return 0;
     }
 }
 
@@ -66,9 +55,11 @@ protocol::Reply replyTo(const ClientPacket &packet, quint32 block)
 
 } // namespace
 
-FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division)
+FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division, bool answersWrongIdentifier)
 {
     const FrameFault fault = protocol::checkFrame(datagram);
+    if (fault == FrameFault::Identifier && answersWrongIdentifier)
+        return {false, WrongIdentifier};
     if (fault == FrameFault::TooShort || fault == FrameFault::Identifier)
         return {true, 0};
     if (fault == FrameFault::None && protocol::peekClientPacket(datagram).framing.division != division)
@@ -76,7 +67,7 @@ FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division)
     return {false, codeOf(fault)};
 }
 
-quint16 robotFramingFault(const protocol::Framing &framing)
+quint16 requestFramingFault(const protocol::Framing &framing)
 {
     if (framing.ack)
         return WrongAck;

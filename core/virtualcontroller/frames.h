@@ -5,8 +5,7 @@
 #include "protocol/packet.h"
 
 /// Frames as the controller judges and makes them (reference §1.4, §1.5, §1.7).
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 /// What becomes of a datagram before anybody looks at what it asks for.
 struct FrameVerdict {
@@ -14,10 +13,11 @@ struct FrameVerdict {
     quint16 code = 0; ///< The added status to refuse it with, 0 for a good frame.
 };
 
-/// Frame faults of a datagram that came to the port of `division`.
-[[nodiscard]] FrameVerdict judgeFrame(QByteArrayView datagram, protocol::Division division);
-/// The robot port takes only requests: ACK 0, block 0. An added status or 0.
-[[nodiscard]] quint16 robotFramingFault(const protocol::Framing &framing);
+/// Frame faults of a datagram that came to the port of `division`. A wrong identifier is dropped or answered 0xE4A6.
+[[nodiscard]] FrameVerdict judgeFrame(
+    QByteArrayView datagram, protocol::Division division, bool answersWrongIdentifier = false);
+/// A request has ACK 0 and block 0. An added status or 0.
+[[nodiscard]] quint16 requestFramingFault(const protocol::Framing &framing);
 
 /// A reply without payload. `bare`: 0xA000, 0xA001 and 0xA002 become the statuses 0x08, 0x28 and 0x09 (reference §1.6).
 [[nodiscard]] QByteArray refusalReply(const protocol::ClientPacket &packet, quint16 code, bool bare = false);

@@ -6,11 +6,9 @@
 
 using values::AxisWords;
 
-namespace virtualcontroller::kinematics
-{
+namespace virtualcontroller::kinematics {
 
-namespace
-{
+namespace {
 
 struct AxisMap {
     qint32 offset; ///< The cartesian word at 0 pulses.

@@ -8,8 +8,7 @@
 /// to Z, R to Rx, B to Ry, T to Rz, E to Re, by a fixed offset and a fixed ratio. That keeps pulses and cartesian words
 /// consistent and invertible, which is all that a client can see; reach, joint limits and singularities are not
 /// modelled.
-namespace virtualcontroller::kinematics
-{
+namespace virtualcontroller::kinematics {
 
 /// The cartesian words (micrometre, 0.0001 degree) that belong to a robot's pulses.
 [[nodiscard]] values::AxisWords toCartesian(const values::AxisWords &pulses);

@@ -3,20 +3,16 @@
 #include "virtualcontroller/memory.h"
 
 #include "virtualcontroller/kinematics.h"
-#include "virtualcontroller/machine.h"
 #include <algorithm>
 
 using protocol::IoArea;
 using values::ControlGroup;
-using values::Status;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
-/// 0-based group and bit of signal `number` of an area.
+/// The group and bit of signal `number` of an area.
 std::pair<quint16, int> signalPlace(const protocol::Dialect &dialect, IoArea area, int number)
 {
     const int index = std::max(number, 1) - 1;
@@ -30,33 +26,6 @@ quint16 pulseInstance(ControlGroup group)
 }
 
 } // namespace
-
-Memory::Memory(Settings newSettings) : settings {newSettings}
-{
-    status.data1 = Status::Data1 {Status::OneCycle} | Status::Play | Status::Remote;
-    tasks.resize(1);
-    const values::AxisWords home {0, 0, 0, 0, 0, 0};
-    groups.push_back({ControlGroup::robotPulse(1), kinematics::toCartesian(home), {}});
-    software = values::FixedText<24> {"PENDESK VIRTUAL 0.1"};
-    systemInformation[11] = {software, values::FixedText<16> {"VIRTUAL-A00"}, values::FixedText<8> {"1.00"}};
-    systemInformation[101] = {software, values::FixedText<16> {"GENERAL"}, {}};
-}
-
-Memory Memory::demo(Settings settings)
-{
-    Memory memory {settings};
-    memory.status.data2.setFlag(Status::ServoOn);
-    setCycle(memory, Status::Continuous);
-    memory.files["WELD_A12.JBI"] = "/JOB\r\n//NAME WELD_A12\r\n//POS\r\n///NPOS 3,0,0,0,0,0\r\n///TOOL 0\r\n"
-                                   "///POSTYPE PULSE\r\n///PULSE\r\nC00000=0,0,0,0,0,0\r\n"
-                                   "C00001=40000,-12000,8000,0,-9000,3000\r\nC00002=42000,20000,-8000,2000,-9000,0\r\n"
-                                   "//INST\r\n///DATE 2026/01/12 08:30\r\n///COMM DEMO\r\n///ATTR SC,RW\r\n///GROUP1 "
-                                   "RB1\r\nNOP\r\nMOVJ C00000 VJ=25.00\r\nMOVJ C00001 VJ=25.00\r\nDOUT OT#(1) "
-                                   "ON\r\nMOVL C00002 V=50.0\r\nDOUT OT#(1) OFF\r\nTIMER T=1.00\r\nEND\r\n";
-    selectJob(memory, 0, "WELD_A12", 0);
-    startJob(memory);
-    return memory;
-}
 
 const Group *Memory::findGroup(ControlGroup group) const
 {
@@ -85,18 +54,30 @@ std::shared_ptr<const Program> Memory::program(const QByteArray &name) const
     return parsed ? std::make_shared<const Program>(std::move(*parsed)) : nullptr;
 }
 
+bool Memory::isJobInUse(const QByteArray &name) const
+{
+    const auto holds = [&](const Frame &frame) { return frame.program->name == name; };
+    return isJobRunning
+        && std::ranges::any_of(tasks, [&](const Task &task) { return std::ranges::any_of(task.stack, holds); });
+}
+
+values::FixedText<16> Memory::clockText() const
+{
+    const QDateTime clock = switchedOn.addMSecs(now.count());
+    return values::FixedText<16> {clock.toString(QStringLiteral("yyyy/MM/dd HH:mm")).toLatin1()};
+}
+
 bool Memory::signal(IoArea area, int number) const
 {
-    const auto [group, bit] = signalPlace(dialect(), area, number);
+    const auto [group, bit] = signalPlace(dialect, area, number);
     const auto found = io.find(group);
-    return found != io.end() && (found->second >> bit & 1);
+    return found != io.end() && values::IoGroup {found->second}.isOn(bit);
 }
 
 void Memory::setSignal(IoArea area, int number, bool on)
 {
-    const auto [group, bit] = signalPlace(dialect(), area, number);
-    quint8 &signals_ = io[group];
-    signals_ = quint8(on ? signals_ | 1 << bit : signals_ & ~(1 << bit));
+    const auto [group, bit] = signalPlace(dialect, area, number);
+    io[group] = values::IoGroup {io[group]}.with(bit, on).bits;
 }
 
 } // namespace virtualcontroller

@@ -8,11 +8,9 @@
 using values::AxisNames;
 using values::AxisWords;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 /// How much of the time has passed, 0 to 1.
 double progress(const Motion &motion, Time now)

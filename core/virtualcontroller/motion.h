@@ -6,8 +6,7 @@
 #include "virtualcontroller/time.h"
 #include <optional>
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 /// A way from one pose to another in a given time. Speed rises and falls smoothly, so both ends are at rest.
 struct Motion {

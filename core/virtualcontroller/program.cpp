@@ -8,11 +8,9 @@
 
 using values::PositionType;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 // Reference §9.
 constexpr quint16 illegalName = 0x4190;
@@ -165,12 +163,9 @@ quint16 ProgramReader::takeLine(const QByteArray &line)
     if (line.startsWith('/'))
         return takePseudo(line);
     switch (m_section) {
-    case Section::None:
-        return otherSyntax;
-    case Section::Positions:
-        return takePosition(line);
-    case Section::Instructions:
-        return takeInstruction(line);
+    case Section::None: return otherSyntax;
+    case Section::Positions: return takePosition(line);
+    case Section::Instructions: return takeInstruction(line);
     }
     return 0;
 }

@@ -8,8 +8,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 /// One line of a job, cut at its spaces: "MOVJ", "C00000", "VJ=5.00". A comment is one word.
 struct Instruction {

@@ -2,56 +2,55 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "virtualcontroller/responder.h"
 
+#include "protocol/catalog.h"
 #include "virtualcontroller/access.h"
 #include "virtualcontroller/frames.h"
 #include "virtualcontroller/handlers.h"
 #include "virtualcontroller/machine.h"
 
 using protocol::ClientPacket;
-using protocol::Command;
 using protocol::Request;
 using protocol::Service;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
-bool isSingle(Service service) { return service == Service::GetSingle || service == Service::SetSingle; }
-
-/// Element numbers with the single services, 0 with all others; a command of one element takes 0 or 1 there
-/// (reference §1.3, §4.3).
-bool hasAttribute(const Command &command, const Request &request)
+/// The request without what real controllers let pass: a whole word for an I/O group, and an S variable that is not
+/// padded (reference §12, conflicts 21 and 22).
+Request tidied(Request request)
 {
-    if (isSingle(request.service))
-        return request.attribute >= 1 && request.attribute <= command.elements;
-    return request.attribute == 0 || (request.attribute == 1 && command.elements == 1);
+    const bool isWrite = protocol::requestPayload(request.service) == protocol::PayloadKind::Value;
+    const auto *command = protocol::findCommand(request.command);
+    const qsizetype size = request.payload.size();
+    if (isWrite && request.command == 0x78 && size == 4)
+        request.payload.truncate(1);
+    if (isWrite && (request.command == 0x7E || request.command == 0x8C) && size > 0 && size < command->size)
+        request.payload.append(command->size - size, '\0');
+    return request;
 }
 
-/// What is wrong with the address of a request, in the order of reference §1.7; 0 if nothing.
-quint16 addressFault(const Request &request, const Memory &memory)
+bool isRefusedElementOfP(const Request &request, const Memory &memory)
 {
-    const Command *command = protocol::findCommand(request.command);
-    if (!command || !findHandler(request.command) || command->instances(memory.dialect()).isEmpty())
-        return CommandFault;
-    if (!command->hasInstance(request.instance, memory.dialect()))
-        return InstanceFault;
-    if (!hasAttribute(*command, request))
-        return AttributeFault;
-    return command->hasService(request.service) ? 0 : ServiceFault;
+    return memory.settings.refusesElementsOfP && request.command == 0x7F
+        && (request.service == Service::GetSingle || request.service == Service::SetSingle);
 }
 
+/// Reference §1.7: address, size, values, state.
 Answer answer(const Request &request, Memory &memory)
 {
-    if (const quint16 fault = addressFault(request, memory))
+    if (const quint16 fault = protocol::addressFault(request, memory.dialect))
         return refused(fault);
-    const Handler &handler = *findHandler(request.command);
-    if (const quint16 fault = handler.check(request, memory))
+    if (isRefusedElementOfP(request, memory))
+        return refused(AttributeFault);
+    const Handler *handler = findHandler(request.command);
+    if (!handler)
+        return refused(CommandFault);
+    if (const quint16 fault = handler->check ? handler->check(request, memory) : 0)
         return refused(fault);
     if (const quint16 refusal = accessRefusal(request, memory))
         return refused(refusal);
-    return handler.execute(request, memory);
+    return handler->execute(request, memory);
 }
 
 } // namespace
@@ -59,13 +58,15 @@ Answer answer(const Request &request, Memory &memory)
 std::optional<QByteArray> respond(QByteArrayView datagram, Memory &memory, Time now)
 {
     advance(memory, now);
-    const FrameVerdict verdict = judgeFrame(datagram, protocol::Division::Robot);
+    const FrameVerdict verdict =
+        judgeFrame(datagram, protocol::Division::Robot, memory.settings.answersWrongIdentifier);
     if (verdict.isDropped)
         return std::nullopt;
-    const ClientPacket packet = protocol::peekClientPacket(datagram);
-    if (const quint16 fault = verdict.code ? verdict.code : robotFramingFault(packet.framing))
-        return refusalReply(packet, fault, false);
-    const Answer result = answer(packet.request(), memory);
+    ClientPacket packet = protocol::peekClientPacket(datagram);
+    packet.framing.division = protocol::Division::Robot; // a refusal of a wrong one is a good frame
+    if (const quint16 fault = verdict.code ? verdict.code : requestFramingFault(packet.framing))
+        return refusalReply(packet, fault);
+    const Answer result = answer(tidied(packet.request()), memory);
     if (!result)
         return refusalReply(packet, result.error(), memory.settings.usesBareStatuses);
     return successReply(packet, protocol::lastBlock, *result);

@@ -7,8 +7,7 @@
 #include <QByteArrayView>
 #include <optional>
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 /// The reply of the robot port to one datagram, after the memory was advanced to `now`. Nothing is answered to what is
 /// too short or does not begin with the identifier. The order of validation is that of reference §1.7.

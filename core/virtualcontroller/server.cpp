@@ -2,20 +2,23 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "virtualcontroller/server.h"
 
-#include "virtualcontroller/machine.h"
+#include "virtualcontroller/fileresponder.h"
+#include "virtualcontroller/frames.h"
 #include "virtualcontroller/responder.h"
 #include <QElapsedTimer>
 #include <QNetworkDatagram>
 #include <QTimer>
 #include <QUdpSocket>
 
-namespace virtualcontroller
-{
+using values::ErrorKind;
+using values::Result;
 
-namespace
-{
+namespace virtualcontroller {
+
+namespace {
 
 constexpr int datagramsAtOnce = 16; ///< Then the event loop gets its turn.
+constexpr auto housekeepingPeriod = 500ms; ///< So that nobody waits for an hour of jobs to be caught up with.
 
 std::function<Time()> realTime()
 {
@@ -24,43 +27,67 @@ std::function<Time()> realTime()
     return [timer] { return Time {timer.elapsed()}; };
 }
 
+QByteArray peerOf(const QNetworkDatagram &datagram)
+{
+    return datagram.senderAddress().toString().toLatin1() + ':' + QByteArray::number(datagram.senderPort());
+}
+
+/// The command a packet belongs to, as the fault table counts: 0 for files and for what is too short to tell.
+quint16 commandOf(QByteArrayView datagram)
+{
+    return datagram.size() < protocol::headerSize ? quint16 {0} : protocol::peekClientPacket(datagram).command;
+}
+
 } // namespace
 
 Server::Server(const Options &options, QObject *parent)
-    : QObject {parent}, m_options {options}, m_memory {options.settings}, m_robotSocket {new QUdpSocket {this}},
-      m_fileSocket {new QUdpSocket {this}}
+    : QObject {parent},
+      m_options {options},
+      m_memory {options.settings},
+      m_startMemory {m_memory},
+      m_faults {options.faults},
+      m_robotSocket {new QUdpSocket {this}},
+      m_fileSocket {new QUdpSocket {this}},
+      m_housekeeping {new QTimer {this}}
 {
     if (!m_options.clock)
         m_options.clock = realTime();
     for (QUdpSocket *socket : {m_robotSocket, m_fileSocket})
         connect(socket, &QUdpSocket::readyRead, this, [this, socket] { receive(socket); });
+    connect(m_housekeeping, &QTimer::timeout, this, &Server::advanceToNow);
 }
 
 Server::~Server() = default;
 
-values::Result<void> Server::bind(QUdpSocket *socket, quint16 port)
+Result<void> Server::bind(QUdpSocket *socket, quint16 port)
 {
-    if (socket->bind(m_options.address, port, QAbstractSocket::DontShareAddress))
+    const QHostAddress address {m_options.address};
+    if (address.isNull())
+        return values::failure(ErrorKind::Network, QStringLiteral("%1 is not an IP address.").arg(m_options.address));
+    if (socket->bind(address, port, QAbstractSocket::DontShareAddress))
         return {};
-    return values::failure(values::ErrorKind::Network,
+    return values::failure(ErrorKind::Network,
         QStringLiteral("UDP port %1 on %2 cannot be opened: %3.")
             .arg(port)
-            .arg(m_options.address.toString(), socket->errorString()));
+            .arg(m_options.address, socket->errorString()));
 }
 
-values::Result<void> Server::start()
+Result<void> Server::start()
 {
     stop();
-    return bind(m_robotSocket, m_options.port)
-        .and_then([this] { return bind(m_fileSocket, m_options.filePort); })
-        .map_error([this](const values::Error &error) {
-            stop();
-            return error;
-        });
+    auto opened = bind(m_robotSocket, m_options.port);
+    if (opened)
+        opened = bind(m_fileSocket, m_options.filePort);
+    if (opened)
+        m_housekeeping->start(housekeepingPeriod);
+    else
+        stop();
+    return opened;
 }
 
 void Server::stop()
 {
+    m_housekeeping->stop();
     m_robotSocket->close();
     m_fileSocket->close();
 }
@@ -68,24 +95,97 @@ void Server::stop()
 quint16 Server::port() const { return m_robotSocket->localPort(); }
 quint16 Server::filePort() const { return m_fileSocket->localPort(); }
 
+void Server::setMemory(Memory memory)
+{
+    m_startMemory = memory;
+    m_memory = std::move(memory);
+}
+
 Time Server::advanceToNow()
 {
     const Time now = m_options.clock();
-    advance(m_memory, now);
+    m_options.script.run(m_memory, now);
     return now;
+}
+
+int Server::arrived(quint16 command) const
+{
+    const auto found = m_arrivals.commands.find(command);
+    return found == m_arrivals.commands.end() ? 0 : found->second;
 }
 
 void Server::receive(QUdpSocket *socket)
 {
-    for (int count = 0; count < datagramsAtOnce && socket->hasPendingDatagrams(); ++count) {
+    for (int taken = 0; taken < datagramsAtOnce && socket->hasPendingDatagrams(); ++taken) {
         const QNetworkDatagram datagram = socket->receiveDatagram();
-        if (socket == m_fileSocket)
-            continue;
-        if (const auto reply = respond(datagram.data(), m_memory, m_options.clock()))
-            socket->writeDatagram(datagram.makeReply(*reply));
+        count(socket, datagram.data());
+        if (!isSilent())
+            take(socket, datagram);
     }
     if (socket->hasPendingDatagrams())
         QTimer::singleShot(0, this, [this, socket] { receive(socket); });
+}
+
+void Server::count(QUdpSocket *socket, QByteArrayView datagram)
+{
+    if (datagram.size() < protocol::headerSize)
+        ++m_arrivals.broken;
+    else if (socket == m_fileSocket)
+        ++m_arrivals.files[protocol::peekClientPacket(datagram).service];
+    else
+        ++m_arrivals.commands[commandOf(datagram)];
+}
+
+/// Hands each packet of a plan over, at once or when its delay is over.
+void Server::deliver(const Faults::Plan &plan, const std::function<void(const QByteArray &)> &to)
+{
+    for (const auto &[delay, bytes] : plan.deliveries) {
+        if (delay <= 0ms)
+            to(bytes);
+        else
+            QTimer::singleShot(delay, this, [to, packet = bytes] { to(packet); });
+    }
+}
+
+void Server::fallSilent(const Faults::Plan &plan)
+{
+    const Time now = m_memory.now;
+    if (plan.isRestart) {
+        m_memory = m_startMemory;
+        advanceToNow();
+    }
+    m_memory.silentUntil = now + plan.silence.value_or(0ms);
+}
+
+void Server::take(QUdpSocket *socket, const QNetworkDatagram &datagram)
+{
+    const auto plan = m_faults.plan(Direction::Request, commandOf(datagram.data()), datagram.data());
+    if (plan.silence)
+        fallSilent(plan);
+    deliver(plan, [this, socket, from = datagram, refusal = plan.refusal](const QByteArray &bytes) {
+        QNetworkDatagram arrived = from;
+        arrived.setData(bytes);
+        answer(socket, arrived, refusal);
+    });
+}
+
+void Server::answer(QUdpSocket *socket, const QNetworkDatagram &datagram, std::optional<quint16> refusal)
+{
+    const QByteArray bytes = datagram.data();
+    const Time now = advanceToNow();
+    const bool isRefused = refusal && bytes.size() >= protocol::headerSize;
+    const auto reply = isRefused ? refusalReply(protocol::peekClientPacket(bytes), *refusal)
+        : socket == m_fileSocket ? respondFile(bytes, peerOf(datagram), m_memory, now)
+                                 : respond(bytes, m_memory, now);
+    if (!reply)
+        return;
+    const auto plan = m_faults.plan(Direction::Reply, commandOf(bytes), *reply);
+    if (plan.silence)
+        fallSilent(plan);
+    deliver(plan, [socket, datagram](const QByteArray &packet) {
+        if (socket->state() == QAbstractSocket::BoundState)
+            socket->writeDatagram(QNetworkDatagram {datagram}.makeReply(packet));
+    });
 }
 
 } // namespace virtualcontroller

@@ -4,27 +4,39 @@
 
 #include "protocol/packet.h"
 #include "values/error.h"
+#include "virtualcontroller/faults.h"
 #include "virtualcontroller/memory.h"
-#include <QHostAddress>
+#include "virtualcontroller/script.h"
 #include <QObject>
 #include <functional>
 
+class QNetworkDatagram;
+class QTimer;
 class QUdpSocket;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 struct Options {
-    QHostAddress address = QHostAddress::LocalHost;
+    QString address = QStringLiteral("127.0.0.1"); ///< An IP address; loopback alone unless told otherwise.
     quint16 port = protocol::robotPort; ///< 0: a free one.
     quint16 filePort = protocol::filePort; ///< 0: a free one.
     Settings settings {};
-    /// Tells the time since switching on; without one the server counts real time from start() on.
+    Faults faults {}; ///< None, unless told otherwise.
+    Script script {}; ///< What happens by itself.
+    /// Tells the time since switching on; without one the server counts real time from its construction on. Delays of
+    /// faults are real time in either case.
     std::function<Time()> clock {};
 };
 
-/// A virtual controller on real UDP sockets: the pure responder with a wire and a clock. Each reply leaves the port
-/// that was addressed and goes to the address and port that asked (reference §1). Live from start() to stop().
+/// What has arrived at the sockets, faults or not: so often was it really sent.
+struct Arrivals {
+    std::map<quint16, int> commands; ///< Robot port, by command number.
+    std::map<protocol::Service, int> files; ///< File port, by service; acknowledgements and blocks count too.
+    int broken = 0; ///< Shorter than a header.
+};
+
+/// A virtual controller on real UDP sockets: the pure responders with a wire, faults and a clock. Each reply leaves the
+/// port that was addressed and goes to the address and port that asked (reference §1). Live from start() to stop().
 class Server : public QObject
 {
     Q_OBJECT
@@ -33,7 +45,8 @@ public:
     explicit Server(const Options &options = {}, QObject *parent = nullptr);
     ~Server() override;
 
-    /// Opens both ports, or neither: an Error of kind Network says in `detail` which port could not be had and why.
+    /// Opens both ports, or neither: an Error of kind Network says in `detail`, in a sentence, which port could not be
+    /// had and why.
     [[nodiscard]] values::Result<void> start();
     void stop();
 
@@ -43,17 +56,33 @@ public:
 
     /// The controller's state: free to look at and to change between two datagrams.
     [[nodiscard]] Memory &memory() { return m_memory; }
+    /// Another state, to which a restart by fault returns too.
+    void setMemory(Memory memory);
+    void setFaults(Faults faults) { m_faults = std::move(faults); }
     /// Moves the memory on to the present time and returns that.
     Time advanceToNow();
+
+    [[nodiscard]] const Arrivals &arrivals() const { return m_arrivals; }
+    [[nodiscard]] int arrived(quint16 command) const;
 
 private:
     [[nodiscard]] values::Result<void> bind(QUdpSocket *socket, quint16 port);
     void receive(QUdpSocket *socket);
+    void count(QUdpSocket *socket, QByteArrayView datagram);
+    void take(QUdpSocket *socket, const QNetworkDatagram &datagram);
+    void answer(QUdpSocket *socket, const QNetworkDatagram &datagram, std::optional<quint16> refusal);
+    void deliver(const Faults::Plan &plan, const std::function<void(const QByteArray &)> &to);
+    [[nodiscard]] bool isSilent() { return advanceToNow() < m_memory.silentUntil; }
+    void fallSilent(const Faults::Plan &plan);
 
     Options m_options;
     Memory m_memory;
+    Memory m_startMemory;
+    Faults m_faults;
+    Arrivals m_arrivals;
     QUdpSocket *m_robotSocket;
     QUdpSocket *m_fileSocket;
+    QTimer *m_housekeeping;
 };
 
 } // namespace virtualcontroller

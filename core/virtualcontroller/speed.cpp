@@ -6,12 +6,12 @@
 #include <cmath>
 
 using values::AxisWords;
+using values::Speed;
+using values::SpeedClass;
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-namespace
-{
+namespace {
 
 /// The length of the way over axes first..last, in the words' unit.
 double distance(const AxisWords &from, const AxisWords &to, int first, int last)
@@ -30,25 +30,29 @@ double longestAxis(const AxisWords &from, const AxisWords &to)
     return longest;
 }
 
-Time milliseconds(double seconds) { return std::max(1ms, Time {std::llround(seconds * 1000)}); }
+Time milliseconds(double seconds) { return std::max(1ms, Time {std::llround(std::min(seconds, 1e6) * 1000)}); }
 
 } // namespace
 
-Time axisTravelTime(const AxisWords &from, const AxisWords &to, double percent)
+Time axisTravelTime(const AxisWords &from, const AxisWords &to, Speed speed, double share)
 {
-    return milliseconds(longestAxis(from, to) / (kinematics::fullSpeedPulses * percent / 100));
+    const double pulses = longestAxis(from, to);
+    const double perSecond =
+        speed.kind == SpeedClass::Percent ? kinematics::fullSpeedPulses * speed.value / 1e4 : speed.value * 20.0;
+    return milliseconds(pulses / (perSecond * share));
 }
 
-Time travelTime(const AxisWords &from, const AxisWords &to, Speed speed)
+Time travelTime(const AxisWords &from, const AxisWords &to, Speed speed, double share)
 {
     const double millimetres = distance(from, to, 0, 2) / 1e3;
     const double degrees = distance(from, to, 3, 6) / 1e4;
-    if (speed.kind == Speed::Kind::Percent)
-        return axisTravelTime(kinematics::toPulses(from), kinematics::toPulses(to), speed.value);
-    if (speed.kind == Speed::Kind::Rotation)
-        return milliseconds(degrees / speed.value);
+    const double tenths = speed.value / 10.0 * share; // mm/s or degree/s
+    if (speed.kind == SpeedClass::Percent)
+        return axisTravelTime(kinematics::toPulses(from), kinematics::toPulses(to), speed, share);
+    if (speed.kind == SpeedClass::Rotation)
+        return milliseconds(degrees / tenths);
     // A straight move that only turns has no length to divide by its speed: it turns at 90 degree/s.
-    return milliseconds(millimetres > 0 ? millimetres / speed.value : degrees / 90);
+    return milliseconds(millimetres > 0 ? millimetres / tenths : degrees / 90);
 }
 
 } // namespace virtualcontroller

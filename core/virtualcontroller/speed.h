@@ -2,25 +2,17 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "virtualcontroller/motion.h"
+#include "values/move.h"
+#include "virtualcontroller/time.h"
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
-/// How fast a move shall be.
-struct Speed {
-    enum class Kind {
-        Percent, ///< Of an axis's full speed.
-        Linear, ///< Of the tool point, in mm/s.
-        Rotation, ///< Of the tool's orientation, in degree/s.
-    };
-    Kind kind = Kind::Percent;
-    double value = 0; ///< Over 0.
-};
-
-/// How long a robot takes from one cartesian pose to another; at least a millisecond.
-[[nodiscard]] Time travelTime(const values::AxisWords &from, const values::AxisWords &to, Speed speed);
-/// How long a base or station takes between pulses.
-[[nodiscard]] Time axisTravelTime(const values::AxisWords &from, const values::AxisWords &to, double percent);
+/// How long a robot takes from one cartesian pose to another at a share of `speed`, 1 being all of it; at least a
+/// millisecond. The speed's value is not 0.
+[[nodiscard]] Time travelTime(
+    const values::AxisWords &from, const values::AxisWords &to, values::Speed speed, double share = 1);
+/// The same between pulses, as a base or a station goes; a speed in mm/s is taken at 200 pulses a millimetre.
+[[nodiscard]] Time axisTravelTime(
+    const values::AxisWords &from, const values::AxisWords &to, values::Speed speed, double share = 1);
 
 } // namespace virtualcontroller

@@ -4,8 +4,7 @@
 
 #include <chrono>
 
-namespace virtualcontroller
-{
+namespace virtualcontroller {
 
 /// Since the virtual controller was switched on. It is a parameter everywhere; only the server reads a clock.
 using Time = std::chrono::milliseconds;

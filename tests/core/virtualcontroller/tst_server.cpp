@@ -20,7 +20,10 @@ private Q_SLOTS:
 private:
     static Options onFreePorts(std::function<Time()> clock = {})
     {
-        return {QHostAddress::LocalHost, 0, 0, {}, std::move(clock)};
+        Options options;
+        options.port = options.filePort = 0;
+        options.clock = std::move(clock);
+        return options;
     }
     /// The reply to `request` from the port it was sent to; an empty one if none came.
     static QNetworkDatagram ask(QUdpSocket &client, quint16 port, const protocol::Request &request)
