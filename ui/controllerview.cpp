@@ -27,6 +27,7 @@ ControllerView::ControllerView(const settings::Profile &profile, const Actions &
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    setFocusProxy(m_rail); // nobody holds a robot with a stray Space
     column->addWidget(m_strip);
     column->addWidget(desk(), 1);
     m_bar->setObjectName(QStringLiteral("messageBar"));
@@ -46,10 +47,8 @@ QWidget *ControllerView::desk()
 {
     auto *content = new QVBoxLayout;
     content->setSpacing(0);
-    auto *barRow = new QHBoxLayout;
-    barRow->setContentsMargins(space::page, 0, space::page, 0);
-    barRow->addWidget(m_bar);
-    content->addLayout(barRow);
+    m_bar->setContentsMargins(space::page, space::page, space::page, 0);
+    content->addWidget(m_bar);
     content->addWidget(m_stack, 1);
     auto *result = new QWidget;
     auto *row = new QHBoxLayout(result);

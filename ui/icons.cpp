@@ -10,12 +10,16 @@
 #include <QPixmapCache>
 #include <QSvgRenderer>
 
+/// A static library's resources must be asked for, outside every namespace.
+static void initializeResources() { Q_INIT_RESOURCE(resources); }
+
 namespace ui {
 
 namespace {
 
 QByteArray drawing(const QString &name)
 {
+    initializeResources();
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }

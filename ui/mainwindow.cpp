@@ -42,6 +42,7 @@ void MainWindow::makeStatusBar()
     statusBar()->addWidget(m_requests);
     m_requests->setObjectName(QStringLiteral("requestsPerSecond"));
     statusBar()->setSizeGripEnabled(false);
+    statusBar()->setContentsMargins(space::page - 4, 0, space::page, 0);
 }
 
 void MainWindow::offer(const settings::Profile &profile)
@@ -53,6 +54,7 @@ void MainWindow::offer(const settings::Profile &profile)
     }
     m_view = new ControllerView(profile, *m_actions);
     setCentralWidget(m_view);
+    m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));

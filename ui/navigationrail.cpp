@@ -97,6 +97,7 @@ void NavigationRail::addPages(QVBoxLayout *column)
         m_pages->addButton(button, row++);
         column->addWidget(button);
     }
+    setFocusProxy(m_pages->button(0));
     connect(m_pages, &QButtonGroup::idClicked, this, &NavigationRail::pageChosen);
 }
 
@@ -109,7 +110,9 @@ void NavigationRail::addActions(QVBoxLayout *column, const Actions &actions)
     for (const ActionRow &row : actionCatalog())
         menu->addAction(actions.action(row.id));
     QPushButton *more = entry(QStringLiteral("menuEntry"), tr("Menu"), icon(QStringLiteral("menu")));
-    more->setMenu(menu);
+    connect(more, &QPushButton::clicked, menu, [more, menu] {
+        menu->popup(more->mapToGlobal(QPoint(more->width(), more->height() - menu->sizeHint().height())));
+    });
     more->setShortcut(QKeySequence(QStringLiteral("F10")));
     column->addWidget(more);
 }

@@ -24,14 +24,15 @@ struct Field {
     const char *name;
     const char *title;
     widgets::Word (*word)(const values::Status &);
+    bool isElided = false; ///< Words that may grow long; all of them are on the overview.
 };
 
 #define TITLE(text) QT_TRANSLATE_NOOP("ui::RobotStrip", text)
 constexpr Field fields[] {
-    {"stripMode", TITLE("Mode"), modeWord},
+    {"stripMode", TITLE("Mode"), modeWord, true},
     {"stripServo", TITLE("Servo"), servoWord},
     {"stripRun", TITLE("Run"), runWord},
-    {"stripHold", TITLE("Hold"), holdWord},
+    {"stripHold", TITLE("Hold"), holdWord, true},
     {"stripAlarm", TITLE("Alarm"), alarmWord},
     {"stripError", TITLE("Error"), errorWord},
 };
@@ -45,6 +46,17 @@ StateField *cell(const char *name, const QString &title)
     field->value()->setObjectName(QLatin1String(name));
     field->layout()->setContentsMargins(cellMargin, 0, cellMargin, 0);
     return field;
+}
+
+/// Where the values come from: the address, or the mark that nothing of this is real.
+QWidget *originOf(const settings::Profile &profile)
+{
+    if (!profile.isSimulation)
+        return widgets::text(addressText(profile), Type::Label, Role::Text2);
+    auto *mark = new widgets::Badge(RobotStrip::tr("SIMULATION"), Role::Magenta, Role::MagentaGround);
+    mark->setObjectName(QStringLiteral("simulationBadge"));
+    mark->setToolTip(addressText(profile));
+    return mark;
 }
 
 QString caption(HoldProgress progress)
@@ -77,7 +89,8 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
     m_row->setSpacing(0);
     m_row->addWidget(nameCell(profile), 2);
     addStatusCells();
-    m_row->addWidget(jobCell(), 3);
+    m_jobCell = jobCell();
+    m_row->addWidget(m_jobCell, 3);
     m_row->addWidget(m_link);
     m_row->addWidget(m_hold);
     m_hold->setObjectName(QStringLiteral("holdButton"));
@@ -97,23 +110,17 @@ QWidget *RobotStrip::nameCell(const settings::Profile &profile) const
     name->show(fact(profile.name.isEmpty() ? tr("No controller") : profile.name));
     auto *level = new widgets::Badge(tr("MONITOR"), Role::Text2, Role::Strip);
     level->setObjectName(QStringLiteral("accessBadge"));
-    auto *line = new QHBoxLayout;
-    line->setSpacing(8);
-    line->addWidget(name, 1);
-    line->addWidget(level);
+    auto *above = new QHBoxLayout;
+    above->setSpacing(6);
+    above->addWidget(originOf(profile));
+    above->addStretch();
+    above->addWidget(level);
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, cellMargin, 0);
     column->setSpacing(1);
-    auto *above = new QHBoxLayout;
-    above->addWidget(widgets::text(addressText(profile), Type::Label, Role::Text2), 1);
-    if (profile.isSimulation) {
-        auto *mark = new widgets::Badge(tr("SIMULATION"), Role::Magenta, Role::MagentaGround);
-        mark->setObjectName(QStringLiteral("simulationBadge"));
-        above->addWidget(mark);
-    }
     column->addStretch();
     column->addLayout(above);
-    column->addLayout(line);
+    column->addWidget(name);
     column->addStretch();
     return result;
 }
@@ -144,6 +151,7 @@ void RobotStrip::addStatusCells()
 {
     for (const Field &field : fields) {
         m_statusFields << cell(field.name, tr(field.title));
+        m_statusFields.back()->value()->setElided(field.isElided);
         m_row->addWidget(m_statusFields.back());
     }
 }
@@ -170,6 +178,7 @@ void RobotStrip::showJob()
     const auto place = [](const values::ExecutingJob &job) { return widgets::Word {jobPlace(job)}; };
     m_job->show(widgets::shown(m_state.job(), freshness, name));
     m_place->show(widgets::shown(m_state.job(), freshness, place));
+    m_place->setVisible(m_state.job().value.has_value());
 }
 
 void RobotStrip::showLink(const LinkView &link)
@@ -203,6 +212,21 @@ void RobotStrip::showLinkCell()
     m_link->show(fact(tr("not connected"), Lamp::Hollow));
 }
 
+QSize RobotStrip::minimumSizeHint() const
+{
+    return {leastWidth() - (m_jobCell->isVisibleTo(this) ? m_jobCell->minimumSizeHint().width() : 0), space::strip};
+}
+
+int RobotStrip::leastWidth() const { return m_row->totalMinimumSize().width(); }
+
+/// The job is on the overview too: in a narrow window it makes room for what is only here.
+void RobotStrip::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const int others = minimumSizeHint().width();
+    m_jobCell->setVisible(others + m_jobCell->minimumSizeHint().width() <= width());
+}
+
 void RobotStrip::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
@@ -210,6 +234,8 @@ void RobotStrip::paintEvent(QPaintEvent *)
     painter.setPen(color(Role::Border, this));
     painter.drawLine(0, height() - 1, width(), height() - 1);
     for (int i = 1; i < m_row->count() - 1; ++i) {
+        if (m_row->itemAt(i)->isEmpty())
+            continue; // hidden
         const int x = m_row->itemAt(i)->geometry().left();
         painter.drawLine(x, 0, x, height() - 1);
     }

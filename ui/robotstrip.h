@@ -26,16 +26,20 @@ public:
     void showLink(const LinkView &link);
     void showStatistics(const session::LinkStatistics &statistics);
 
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
 Q_SIGNALS:
     /// The button was pressed. It works in every state of the link: whoever listens says why not.
     void holdRequested();
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     [[nodiscard]] QWidget *nameCell(const settings::Profile &profile) const;
     [[nodiscard]] QWidget *jobCell() const;
+    [[nodiscard]] int leastWidth() const;
     void addStatusCells();
     void onChanged(robot::Topic topic);
     void showStatus();
@@ -45,6 +49,7 @@ private:
     const robot::RobotState &m_state;
     QHBoxLayout *m_row;
     QList<widgets::StateField *> m_statusFields; ///< In the order of the table of fields.
+    QWidget *m_jobCell = nullptr;
     widgets::ValueLabel *m_job;
     widgets::ValueLabel *m_place; ///< Line, step and override of the job.
     widgets::StateField *m_link;

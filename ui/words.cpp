@@ -42,7 +42,12 @@ QStringList holdCauses(const Status &status)
     return causes;
 }
 
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+QString number(double value, int decimals)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator); // 1277.751: one mark is enough
+    return locale.toString(value, 'f', decimals);
+}
 
 } // namespace
 

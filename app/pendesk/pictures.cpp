@@ -82,6 +82,7 @@ bool Pictures::take(const QString &state)
         ui::apply(*qApp, scheme);
         for (std::size_t row = 0; isSaved && row < ui::pageCatalog().size(); ++row) {
             m_window.view().openPage(int(row));
+            QCoreApplication::sendPostedEvents(); // layouts
             isSaved = save(ui::pageCatalog()[row].id, scheme == ui::Scheme::Light ? "light" : "dark");
         }
     }

@@ -34,8 +34,9 @@ QLayout *buttons(const Context &context)
     row->addWidget(button(QStringLiteral("connectButton"),
         hasProfile ? NotConnectedPanel::tr("Another controller…") : NotConnectedPanel::tr("Connect…"),
         action(ui::ActionId::Connect)));
-    row->addWidget(
-        button(QStringLiteral("demoButton"), NotConnectedPanel::tr("Open the demo"), action(ui::ActionId::Demo)));
+    if (!context.profile.isSimulation)
+        row->addWidget(
+            button(QStringLiteral("demoButton"), NotConnectedPanel::tr("Open the demo"), action(ui::ActionId::Demo)));
     row->itemAt(0)->widget()->setProperty("primary", true);
     row->addStretch();
     return row;

@@ -5,6 +5,7 @@
 #include "ui/widgets/valuelabel.h"
 #include "ui/words.h"
 #include <QGridLayout>
+#include <QPainter>
 
 namespace pages {
 
@@ -13,6 +14,7 @@ using widgets::ValueLabel;
 
 namespace {
 
+constexpr int rowGap = 9;
 constexpr int usualAxes = 6; ///< Rows shown until the controller tells how many.
 
 ValueLabel *valueLabel(const QString &name, ui::Type type, const QString &reserve)
@@ -71,7 +73,7 @@ PositionCard::PositionCard(const robot::RobotState &state, QWidget *parent)
 {
     auto *grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(5);
+    grid->setVerticalSpacing(rowGap);
     grid->setColumnStretch(1, 3);
     grid->setColumnStretch(5, 2);
     grid->setColumnMinimumWidth(3, 6);
@@ -100,6 +102,19 @@ void PositionCard::addRow(QGridLayout *grid, int axis)
     grid->addWidget(base.unit, axis, 2);
     grid->addWidget(pulse.name, axis, 4);
     grid->addWidget(pulse.value, axis, 5);
+}
+
+void PositionCard::paintEvent(QPaintEvent *event)
+{
+    Card::paintEvent(event);
+    QPainter painter(this);
+    painter.setPen(ui::color(ui::Role::Hairline, this));
+    for (std::size_t axis = 1; axis < m_base.size(); ++axis) {
+        const QWidget *value = m_base[axis].value->isVisible() ? m_base[axis].value : m_pulse[axis].value;
+        const int y = value->geometry().top() - rowGap / 2 - 1;
+        if (value->isVisible())
+            painter.drawLine(ui::space::inside, y, width() - ui::space::inside, y);
+    }
 }
 
 void PositionCard::onChanged(Topic topic)

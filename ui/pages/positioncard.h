@@ -21,6 +21,9 @@ class PositionCard : public widgets::Card
 public:
     explicit PositionCard(const robot::RobotState &state, QWidget *parent = nullptr);
 
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
 private:
     /// One axis of one of the two columns.
     struct Cell {

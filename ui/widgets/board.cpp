@@ -3,6 +3,7 @@
 #include "ui/widgets/board.h"
 
 #include "ui/theme.h"
+#include <QEvent>
 #include <QGridLayout>
 #include <numeric>
 
@@ -36,6 +37,18 @@ void Board::resizeEvent(QResizeEvent *event)
     arrange();
 }
 
+/// A card that grew may need a narrower arrangement at once; a wider one waits for the next resize, so that changing
+/// words never make the page flicker.
+bool Board::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool isGrowth = watched == widget() && event->type() == QEvent::LayoutRequest;
+    if (isGrowth && m_current && !fits(*m_current))
+        arrange();
+    return QScrollArea::eventFilter(watched, event);
+}
+
+bool Board::fits(const Arrangement &arrangement) const { return leastWidth(arrangement) <= viewport()->width(); }
+
 int Board::leastWidth(const Arrangement &arrangement) const
 {
     QList<int> widths(arrangement.columns);
@@ -51,7 +64,7 @@ int Board::leastWidth(const Arrangement &arrangement) const
 void Board::arrange()
 {
     for (const Arrangement &arrangement : m_arrangements) {
-        if (leastWidth(arrangement) <= viewport()->width() || &arrangement == &m_arrangements.back())
+        if (fits(arrangement) || &arrangement == &m_arrangements.back())
             return use(arrangement);
     }
 }

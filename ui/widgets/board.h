@@ -37,11 +37,14 @@ public:
     [[nodiscard]] int columns() const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     [[nodiscard]] int leastWidth(const Arrangement &arrangement) const;
+    [[nodiscard]] bool fits(const Arrangement &arrangement) const;
     void arrange();
     void use(const Arrangement &arrangement);
 

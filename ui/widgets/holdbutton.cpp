@@ -20,7 +20,7 @@ HoldButton::HoldButton(QWidget *parent) : QAbstractButton(parent)
     setText(tr("HOLD"));
     setFont(ui::font(ui::Type::Hold));
     setAccessibleName(tr("HOLD (software)"));
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::TabFocus);
     setCaption(tr("software hold · Pause key"));
 }
 

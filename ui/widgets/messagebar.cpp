@@ -77,8 +77,11 @@ void MessageBar::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(ui::color(m_message.severity == Severity::Notice ? ui::Role::Border : now.ink, scheme));
     painter.setBrush(ui::color(now.ground, scheme));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
-    paintLamp(painter, QRectF(margin, (height() - lampSide) / 2.0, lampSide, lampSide), now.lamp, scheme);
+    const QRectF lampSquare(
+        contentsRect().left() + margin, contentsRect().center().y() + 0.5 - lampSide / 2.0, lampSide, lampSide);
+    painter.drawRoundedRect(
+        QRectF(contentsRect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
+    paintLamp(painter, lampSquare, now.lamp, scheme);
 }
 
 } // namespace widgets

@@ -14,7 +14,7 @@ Rows::Rows(Qt::Alignment valueAlignment, QWidget *parent)
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(ui::space::gap);
     m_grid->setVerticalSpacing(3);
-    m_grid->setColumnStretch(1, 1);
+    m_grid->setColumnStretch(valueAlignment & Qt::AlignRight ? 1 : 2, 1);
 }
 
 void Rows::add(const QString &name, const QString &title)

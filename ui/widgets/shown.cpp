@@ -16,7 +16,8 @@ Shown unknown()
 
 Shown refused(const values::Error &refusal)
 {
-    return {{dash(), Lamp::None}, robot::Freshness::Refused, protocol::explain(refusal)};
+    return {{dash(), Lamp::None}, robot::Freshness::Refused,
+        QCoreApplication::translate("Shown", "Refused: %1").arg(protocol::explain(refusal))};
 }
 
 QString lastSeen(const QDateTime &clock)

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "ui/controllerview.h"
+#include "ui/mainwindow.h"
+#include "ui/theme.h"
+#include "ui/widgets/messagebar.h"
+#include "ui/widgets/valuelabel.h"
+#include "virtualcontroller/server.h"
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// A window, its settings in a folder of their own, and a virtual controller on real sockets.
+class Harness
+{
+public:
+    Harness()
+        : file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat},
+          store {file},
+          window {store, [this] { return startController(); }}
+    {
+    }
+
+    values::Result<settings::Profile> startController()
+    {
+        if (!server) {
+            virtualcontroller::Options options;
+            options.port = port;
+            options.filePort = filePort;
+            server = std::make_unique<virtualcontroller::Server>(options);
+            server->memory() = virtualcontroller::Memory::demo();
+            if (auto started = server->start(); !started)
+                return tl::unexpected(started.error());
+            port = server->port();
+            filePort = server->filePort();
+        }
+        return profile();
+    }
+    void stopController() { server.reset(); }
+
+    [[nodiscard]] settings::Profile profile() const
+    {
+        settings::Profile profile;
+        profile.name = QStringLiteral("CELL 4 · Weld");
+        profile.host = QStringLiteral("127.0.0.1");
+        profile.port = port;
+        profile.filePort = filePort;
+        profile.readTimeout = std::chrono::milliseconds {100};
+        return profile;
+    }
+
+    /// Starts the controller and connects; true as soon as every value on the overview is live.
+    [[nodiscard]] bool connectLive()
+    {
+        if (!startController())
+            return false;
+        window.show();
+        window.connectTo(profile());
+        return QTest::qWaitFor([this] { return isAllLive(); });
+    }
+    [[nodiscard]] bool isAllLive() const
+    {
+        for (int topic = 0; topic < robot::topicCount; ++topic) {
+            if (state().freshness(robot::Topic(topic)) != robot::Freshness::Live)
+                return false;
+        }
+        return window.controller().linkState() == robot::LinkState::Monitoring;
+    }
+
+    /// The state, to be filled by hand between two reads.
+    [[nodiscard]] robot::RobotState &state() const
+    {
+        return const_cast<robot::RobotState &>(window.controller().state());
+    }
+    [[nodiscard]] widgets::ValueLabel *value(const char *name) const
+    {
+        return window.view().findChild<widgets::ValueLabel *>(QLatin1String(name));
+    }
+    [[nodiscard]] QString word(const char *name) const { return value(name) ? value(name)->text() : QString(); }
+    [[nodiscard]] widgets::MessageBar *bar() const
+    {
+        return window.view().findChild<widgets::MessageBar *>(QStringLiteral("messageBar"));
+    }
+    [[nodiscard]] QString barText() const { return bar()->isVisible() ? bar()->message().text : QString(); }
+
+    QTemporaryDir folder;
+    QSettings file;
+    settings::ProfileStore store;
+    quint16 port = 0;
+    quint16 filePort = 0;
+    std::unique_ptr<virtualcontroller::Server> server;
+    ui::MainWindow window;
+};
