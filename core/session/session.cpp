@@ -21,9 +21,10 @@ Session::Session(Transport &transport, const Policy &policy, QObject *parent)
         const auto pending = m_pending.find(ticket);
         if (pending == m_pending.end())
             return false;
-        if (!pending->second.context)
-            m_pending.erase(pending);
-        return m_pending.contains(ticket);
+        if (pending->second.context)
+            return true;
+        m_pending.erase(pending);
+        return false;
     };
     m_exchange.onRoundTrip = [this](Time at, std::chrono::microseconds roundTrip) { m_meter.roundTrip(at, roundTrip); };
     m_exchange.onMiss = [this](Time at) { m_meter.miss(at); };
