@@ -8,6 +8,7 @@
 #include "ui/widgets/text.h"
 #include "ui/words.h"
 #include <QCoreApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
 
@@ -38,7 +39,7 @@ constexpr Field fields[] {
 };
 #undef TITLE
 
-constexpr int cellMargin = 12;
+constexpr int cellMargin = 9;
 
 StateField *cell(const char *name, const QString &title)
 {
@@ -214,16 +215,22 @@ void RobotStrip::showLinkCell()
 
 QSize RobotStrip::minimumSizeHint() const
 {
-    return {leastWidth() - (m_jobCell->isVisibleTo(this) ? m_jobCell->minimumSizeHint().width() : 0), space::strip};
+    const int job = m_jobCell->isVisibleTo(this) ? m_jobCell->minimumSizeHint().width() : 0;
+    return {m_row->totalMinimumSize().width() - job, space::strip};
 }
 
-int RobotStrip::leastWidth() const { return m_row->totalMinimumSize().width(); }
+bool RobotStrip::event(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
+        makeRoom();
+    return QWidget::event(event);
+}
 
 /// The job is on the overview too: in a narrow window it makes room for what is only here.
-void RobotStrip::resizeEvent(QResizeEvent *event)
+void RobotStrip::makeRoom()
 {
-    QWidget::resizeEvent(event);
-    const int others = minimumSizeHint().width();
+    const int job = m_jobCell->isVisibleTo(this) ? m_jobCell->sizeHint().width() : 0;
+    const int others = m_row->totalSizeHint().width() - job;
     m_jobCell->setVisible(others + m_jobCell->minimumSizeHint().width() <= width());
 }
 
