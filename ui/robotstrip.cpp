@@ -32,7 +32,7 @@ struct Field {
 constexpr Field fields[] {
     {"stripMode", TITLE("Mode"), modeWord, true},
     {"stripServo", TITLE("Servo"), servoWord},
-    {"stripRun", TITLE("Run"), runWord},
+    {"stripRun", TITLE("Run"), runWord, true},
     {"stripHold", TITLE("Hold"), holdWord, true},
     {"stripAlarm", TITLE("Alarm"), alarmWord},
     {"stripError", TITLE("Error"), errorWord},
@@ -49,11 +49,19 @@ StateField *cell(const char *name, const QString &title)
     return field;
 }
 
+widgets::Shown fact(const QString &text, Lamp lamp = Lamp::None) { return {{text, lamp}, robot::Freshness::Live, {}}; }
+
 /// Where the values come from: the address, or the mark that nothing of this is real.
 QWidget *originOf(const settings::Profile &profile)
 {
-    if (!profile.isSimulation)
-        return widgets::text(addressText(profile), Type::Label, Role::Text2);
+    if (!profile.isSimulation) {
+        auto *address = new widgets::ValueLabel(Type::Label);
+        address->setObjectName(QStringLiteral("stripAddress"));
+        address->setRole(Role::Text2);
+        address->setElided(true);
+        address->show(fact(addressText(profile)));
+        return address;
+    }
     auto *mark = new widgets::Badge(RobotStrip::tr("SIMULATION"), Role::Magenta, Role::MagentaGround);
     mark->setObjectName(QStringLiteral("simulationBadge"));
     mark->setToolTip(addressText(profile));
@@ -71,8 +79,6 @@ QString caption(HoldProgress progress)
     }
     return RobotStrip::tr("software hold · Pause key");
 }
-
-widgets::Shown fact(const QString &text, Lamp lamp = Lamp::None) { return {{text, lamp}, robot::Freshness::Live, {}}; }
 
 } // namespace
 
@@ -92,6 +98,7 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
     addStatusCells();
     m_jobCell = jobCell();
     m_row->addWidget(m_jobCell, 3);
+    m_link->value()->setElided(true);
     m_row->addWidget(m_link);
     m_row->addWidget(m_hold);
     m_hold->setObjectName(QStringLiteral("holdButton"));
@@ -113,8 +120,7 @@ QWidget *RobotStrip::nameCell(const settings::Profile &profile) const
     level->setObjectName(QStringLiteral("accessBadge"));
     auto *above = new QHBoxLayout;
     above->setSpacing(6);
-    above->addWidget(originOf(profile));
-    above->addStretch();
+    above->addWidget(originOf(profile), 1, Qt::AlignLeft);
     above->addWidget(level);
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, cellMargin, 0);
