@@ -8,6 +8,7 @@
 #include "ui/widgets/text.h"
 #include "ui/words.h"
 #include <QCoreApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
 
@@ -31,14 +32,14 @@ struct Field {
 constexpr Field fields[] {
     {"stripMode", TITLE("Mode"), modeWord, true},
     {"stripServo", TITLE("Servo"), servoWord},
-    {"stripRun", TITLE("Run"), runWord},
+    {"stripRun", TITLE("Run"), runWord, true},
     {"stripHold", TITLE("Hold"), holdWord, true},
     {"stripAlarm", TITLE("Alarm"), alarmWord},
     {"stripError", TITLE("Error"), errorWord},
 };
 #undef TITLE
 
-constexpr int cellMargin = 12;
+constexpr int cellMargin = 9;
 
 StateField *cell(const char *name, const QString &title)
 {
@@ -48,11 +49,19 @@ StateField *cell(const char *name, const QString &title)
     return field;
 }
 
+widgets::Shown fact(const QString &text, Lamp lamp = Lamp::None) { return {{text, lamp}, robot::Freshness::Live, {}}; }
+
 /// Where the values come from: the address, or the mark that nothing of this is real.
 QWidget *originOf(const settings::Profile &profile)
 {
-    if (!profile.isSimulation)
-        return widgets::text(addressText(profile), Type::Label, Role::Text2);
+    if (!profile.isSimulation) {
+        auto *address = new widgets::ValueLabel(Type::Label);
+        address->setObjectName(QStringLiteral("stripAddress"));
+        address->setRole(Role::Text2);
+        address->setElided(true);
+        address->show(fact(addressText(profile)));
+        return address;
+    }
     auto *mark = new widgets::Badge(RobotStrip::tr("SIMULATION"), Role::Magenta, Role::MagentaGround);
     mark->setObjectName(QStringLiteral("simulationBadge"));
     mark->setToolTip(addressText(profile));
@@ -70,8 +79,6 @@ QString caption(HoldProgress progress)
     }
     return RobotStrip::tr("software hold · Pause key");
 }
-
-widgets::Shown fact(const QString &text, Lamp lamp = Lamp::None) { return {{text, lamp}, robot::Freshness::Live, {}}; }
 
 } // namespace
 
@@ -91,6 +98,7 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
     addStatusCells();
     m_jobCell = jobCell();
     m_row->addWidget(m_jobCell, 3);
+    m_link->value()->setElided(true);
     m_row->addWidget(m_link);
     m_row->addWidget(m_hold);
     m_hold->setObjectName(QStringLiteral("holdButton"));
@@ -112,8 +120,7 @@ QWidget *RobotStrip::nameCell(const settings::Profile &profile) const
     level->setObjectName(QStringLiteral("accessBadge"));
     auto *above = new QHBoxLayout;
     above->setSpacing(6);
-    above->addWidget(originOf(profile));
-    above->addStretch();
+    above->addWidget(originOf(profile), 1, Qt::AlignLeft);
     above->addWidget(level);
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, cellMargin, 0);
@@ -214,16 +221,22 @@ void RobotStrip::showLinkCell()
 
 QSize RobotStrip::minimumSizeHint() const
 {
-    return {leastWidth() - (m_jobCell->isVisibleTo(this) ? m_jobCell->minimumSizeHint().width() : 0), space::strip};
+    const int job = m_jobCell->isVisibleTo(this) ? m_jobCell->minimumSizeHint().width() : 0;
+    return {m_row->totalMinimumSize().width() - job, space::strip};
 }
 
-int RobotStrip::leastWidth() const { return m_row->totalMinimumSize().width(); }
+bool RobotStrip::event(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
+        makeRoom();
+    return QWidget::event(event);
+}
 
 /// The job is on the overview too: in a narrow window it makes room for what is only here.
-void RobotStrip::resizeEvent(QResizeEvent *event)
+void RobotStrip::makeRoom()
 {
-    QWidget::resizeEvent(event);
-    const int others = minimumSizeHint().width();
+    const int job = m_jobCell->isVisibleTo(this) ? m_jobCell->sizeHint().width() : 0;
+    const int others = m_row->totalSizeHint().width() - job;
     m_jobCell->setVisible(others + m_jobCell->minimumSizeHint().width() <= width());
 }
 

@@ -34,12 +34,12 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    bool event(QEvent *event) override;
 
 private:
     [[nodiscard]] QWidget *nameCell(const settings::Profile &profile) const;
     [[nodiscard]] QWidget *jobCell() const;
-    [[nodiscard]] int leastWidth() const;
+    void makeRoom();
     void addStatusCells();
     void onChanged(robot::Topic topic);
     void showStatus();

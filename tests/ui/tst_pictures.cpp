@@ -60,7 +60,10 @@ bool troubled(Harness &harness)
         Status::Data1 {Status::Teach} | Status::Play | Status::Remote | Status::Step | Status::SpeedLimited,
         Status::Data2 {Status::Alarm} | Status::Error | Status::HeldByPendant | Status::HeldExternally
             | Status::HeldByCommand};
-    return QTest::qWaitFor([&] { return harness.word("alarm") == u"ALARM"; });
+    const auto hasRoom = [&](const char *name) {
+        return harness.value(name)->width() >= harness.value(name)->minimumSizeHint().width();
+    };
+    return QTest::qWaitFor([&] { return harness.word("alarm") == u"ALARM" && hasRoom("mode"); });
 }
 
 bool notConnected(Harness &harness)

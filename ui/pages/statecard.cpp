@@ -63,7 +63,7 @@ StateCard::StateCard(const robot::RobotState &state, QWidget *parent) : Card(tr(
         grid->setColumnStretch(column, 1);
     for (const Field &field : fields) {
         auto *widget = new widgets::StateField(tr(field.title), ui::Type::State);
-        widget->layout()->setContentsMargins(12, 7, 10, 7);
+        widget->layout()->setContentsMargins(12, 5, 10, 6);
         widget->value()->setObjectName(QLatin1String(field.name));
         grid->addWidget(widget, field.row, field.column, 1, field.span);
         m_fields << widget;

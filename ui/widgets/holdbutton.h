@@ -18,6 +18,7 @@ public:
     void setCaption(const QString &caption);
     [[nodiscard]] const QString &caption() const { return m_caption; }
     [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
     void paintEvent(QPaintEvent *event) override;

@@ -88,7 +88,8 @@ QSize ValueLabel::minimumSizeHint() const
 {
     if (!m_isElided)
         return sizeHint();
-    return {lampSpace() + fontMetrics().horizontalAdvance(QStringLiteral("WWW…")), sizeHint().height()};
+    const int least = lampSpace() + fontMetrics().horizontalAdvance(QStringLiteral("WWW…"));
+    return {std::min(least, sizeHint().width()), sizeHint().height()};
 }
 
 ui::Role ValueLabel::inkRole() const
