@@ -2,23 +2,23 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "decode.h"
 
+#include "options.h"
 #include "protocol/decoder.h"
-#include <QCommandLineParser>
+#include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTextStream>
-#include <cstdio>
 
 using protocol::DecodedPacket;
 using protocol::Decoder;
 using protocol::Field;
 using protocol::Fields;
 
+namespace pendeskctl {
+
 namespace {
 
-constexpr int exitOk = 0;
-constexpr int exitMalformed = 1;
-constexpr int exitUsage = 2;
+constexpr int malformed = 1; ///< Exit code: a packet is none, or does not hold what it should.
 
 /// The bytes that `text` writes in hex, white space aside; nullopt if it is something else.
 std::optional<QByteArray> fromHex(const QString &text)
@@ -36,7 +36,7 @@ void insertText(QJsonObject &object, const char *name, const QString &text)
         object.insert(QString::fromLatin1(name), text);
 }
 
-QByteArray asJson(const DecodedPacket &packet)
+QString asJson(const DecodedPacket &packet)
 {
     QJsonObject object;
     if (packet.direction)
@@ -47,7 +47,7 @@ QByteArray asJson(const DecodedPacket &packet)
     insertText(object, "error", packet.error);
     insertText(object, "problem", packet.problem);
     insertText(object, "meaning", packet.meaning);
-    return QJsonDocument {object}.toJson(QJsonDocument::Compact);
+    return QString::fromUtf8(QJsonDocument {object}.toJson(QJsonDocument::Compact));
 }
 
 QString valueText(const QJsonValue &value)
@@ -72,7 +72,7 @@ void appendLine(QString &text, const QString &name, const QString &value)
         text += QStringLiteral("  %1: %2\n").arg(name, value);
 }
 
-QByteArray asText(const DecodedPacket &packet)
+QString asText(const DecodedPacket &packet)
 {
     QString text = packet.direction ? toString(*packet.direction) : QStringLiteral("not a packet");
     text += packet.name.isEmpty() ? QStringLiteral("\n") : QStringLiteral(" %1\n").arg(packet.name);
@@ -81,7 +81,7 @@ QByteArray asText(const DecodedPacket &packet)
     appendLine(text, QStringLiteral("error"), packet.error);
     appendLine(text, QStringLiteral("problem"), packet.problem);
     appendLine(text, QStringLiteral("meaning"), packet.meaning);
-    return text.toUtf8();
+    return text;
 }
 
 /// What the command line says.
@@ -108,28 +108,27 @@ std::optional<protocol::Division> divisionOf(const QString &port)
     return std::nullopt;
 }
 
-int complain(const QString &message)
-{
-    QTextStream {stderr} << "pendeskctl decode: " << message << '\n';
-    return exitUsage;
-}
-
 void addOptions(QCommandLineParser &parser)
 {
-    const auto text = [](const char *source) { return QCoreApplication::translate("decode", source); };
-    parser.addOption(option("text", text(QT_TRANSLATE_NOOP("decode", "Print for people instead of JSON."))));
-    parser.addOption(option("reply-to", text(QT_TRANSLATE_NOOP("decode", "The request that a reply answers.")), "HEX"));
+    const auto text = [](const char *source) { return QCoreApplication::translate("pendeskctl", source); };
+    parser.addOption(option("text", text(QT_TRANSLATE_NOOP("pendeskctl", "Print for people instead of JSON."))));
     parser.addOption(
-        option("port", text(QT_TRANSLATE_NOOP("decode", "The port of the packets: 10040 or 10041.")), "PORT"));
-    parser.addOption(option("encoding", text(QT_TRANSLATE_NOOP("decode", "The encoding of texts.")), "NAME"));
-    parser.addOption(option("model", text(QT_TRANSLATE_NOOP("decode", "The controller model.")), "NAME"));
-    parser.addHelpOption();
+        option("reply-to", text(QT_TRANSLATE_NOOP("pendeskctl", "The request that a reply answers.")), "HEX"));
+    parser.addOption(
+        option("port", text(QT_TRANSLATE_NOOP("pendeskctl", "The port of the packets: 10040 or 10041.")), "PORT"));
+    parser.addOption(option("encoding", text(QT_TRANSLATE_NOOP("pendeskctl", "The encoding of texts.")), "NAME"));
+    parser.addOption(option("model", text(QT_TRANSLATE_NOOP("pendeskctl", "The controller model.")), "NAME"));
     parser.addPositionalArgument(
-        QStringLiteral("HEX"), text(QT_TRANSLATE_NOOP("decode", "A packet; without any, one a line on stdin.")));
+        QStringLiteral("HEX"), text(QT_TRANSLATE_NOOP("pendeskctl", "A packet; without any, one a line on stdin.")));
 }
 
-/// An error is a sentence for the person at the keyboard.
-tl::expected<Options, QString> read(const QCommandLineParser &parser)
+tl::unexpected<values::Error> wrong(const QString &sentence)
+{
+    return values::failure(values::ErrorKind::BadInput, sentence);
+}
+
+/// An error carries a sentence for the person at the keyboard.
+values::Result<Options> read(const QCommandLineParser &parser)
 {
     const auto value = [&parser](const char *name) { return parser.value(QString::fromLatin1(name)); };
     const auto isSet = [&parser](const char *name) { return parser.isSet(QString::fromLatin1(name)); };
@@ -137,19 +136,19 @@ tl::expected<Options, QString> read(const QCommandLineParser &parser)
     options.asText = isSet("text");
     options.packets = parser.positionalArguments();
     if (isSet("reply-to") && !(options.request = fromHex(value("reply-to"))))
-        return tl::unexpected(QStringLiteral("--reply-to takes a packet in hex"));
+        return wrong(QStringLiteral("--reply-to takes a packet in hex"));
     if (isSet("port") && !(options.division = divisionOf(value("port"))))
-        return tl::unexpected(QStringLiteral("--port takes 10040 or 10041"));
+        return wrong(QStringLiteral("--port takes 10040 or 10041"));
     if (isSet("encoding")) {
         const auto encoding = protocol::findEncoding(value("encoding"));
         if (!encoding)
-            return tl::unexpected(QStringLiteral("no such encoding: %1").arg(value("encoding")));
+            return wrong(QStringLiteral("no such encoding: %1").arg(value("encoding")));
         options.encoding = *encoding;
     }
     if (isSet("model")) {
         const auto *dialect = protocol::findDialect(value("model"));
         if (!dialect)
-            return tl::unexpected(QStringLiteral("no such model: %1").arg(value("model")));
+            return wrong(QStringLiteral("no such model: %1").arg(value("model")));
         options.model = dialect->model;
     }
     return options;
@@ -176,36 +175,50 @@ DecodedPacket decodeHex(Decoder &decoder, const QString &hex)
     return packet;
 }
 
+/// The decoder that the options ask for; an error as read().
+values::Result<Decoder> decoderFor(const Options &options)
+{
+    Decoder decoder {protocol::TextCodec {options.encoding}, options.model};
+    if (options.division)
+        decoder.setDivision(*options.division);
+    if (options.request && !decoder.setRequest(*options.request))
+        return wrong(QStringLiteral("--reply-to holds no request"));
+    return decoder;
+}
+
+/// Prints all packets; the exit code.
+int printPackets(Decoder decoder, const QStringList &packets, bool forPeople)
+{
+    int exitCode = Done;
+    for (const QString &hex : packets) {
+        const DecodedPacket packet = decodeHex(decoder, hex);
+        print(forPeople ? asText(packet) : asJson(packet));
+        if (packet.isMalformed())
+            exitCode = malformed;
+    }
+    return exitCode;
+}
+
 } // namespace
 
 int runDecode(const QStringList &arguments)
 {
     QCommandLineParser parser;
     addOptions(parser);
-    if (!parser.parse(QStringList {QStringLiteral("pendeskctl decode")} + arguments))
-        return complain(parser.errorText());
-    if (parser.isSet(QStringLiteral("help"))) {
-        QTextStream {stdout} << parser.helpText();
-        return exitOk;
-    }
+    if (const auto ended = parse(parser, arguments))
+        return *ended;
     const auto options = read(parser);
-    if (!options)
-        return complain(options.error());
-    Decoder decoder {protocol::TextCodec {options->encoding}, options->model};
-    if (options->division)
-        decoder.setDivision(*options->division);
-    if (options->request && !decoder.setRequest(*options->request))
-        return complain(QStringLiteral("--reply-to holds no request"));
-    const QStringList packets = options->packets.isEmpty() ? linesOfInput() : options->packets;
-    if (packets.isEmpty())
-        return complain(QStringLiteral("no packets given"));
-    int exitCode = exitOk;
-    for (const QString &hex : packets) {
-        const DecodedPacket packet = decodeHex(decoder, hex);
-        if (packet.isMalformed())
-            exitCode = exitMalformed;
-        const QByteArray line = options->asText ? asText(packet) : asJson(packet);
-        fprintf(stdout, "%s\n", line.constData());
+    const auto decoder = options.and_then(decoderFor);
+    if (!decoder) {
+        complain(decoder.error().detail);
+        return Usage;
     }
-    return exitCode;
+    const QStringList packets = options->packets.isEmpty() ? linesOfInput() : options->packets;
+    if (packets.isEmpty()) {
+        complain(QStringLiteral("no packets are given"));
+        return Usage;
+    }
+    return printPackets(*decoder, packets, options->asText);
 }
+
+} // namespace pendeskctl

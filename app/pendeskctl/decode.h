@@ -4,7 +4,10 @@
 
 #include <QStringList>
 
+namespace pendeskctl {
+
 /// `pendeskctl decode`: prints the packets given as hex on the command line, or line by line on standard input, one
-/// JSON object each. `arguments` are those behind "decode". Returns the exit code: 0, 1 if a packet is malformed, 2 for
-/// usage.
+/// JSON object each. The exit code is 1 if one of them is malformed.
 int runDecode(const QStringList &arguments);
+
+} // namespace pendeskctl

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "decode.h"
 #include "options.h"
 #include "status.h"
 #include <QCoreApplication>
@@ -17,6 +18,7 @@ struct Verb {
 
 constexpr std::array verbs {
     Verb {"status", QT_TRANSLATE_NOOP("pendeskctl", "read status, job, position and system information"), runStatus},
+    Verb {"decode", QT_TRANSLATE_NOOP("pendeskctl", "take packets given in hex apart"), runDecode},
 };
 
 QString usage()
