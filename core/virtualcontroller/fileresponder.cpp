@@ -186,7 +186,7 @@ Answer goOn(QByteArrayView datagram, const ClientPacket &packet, const QByteArra
 
 std::optional<QByteArray> respondFile(QByteArrayView datagram, const QByteArray &peer, Memory &memory, Time now)
 {
-    advance(memory, now);
+    advanceTo(memory, now);
     const FrameVerdict verdict = judgeFrame(datagram, protocol::Division::File, memory.settings.answersWrongIdentifier);
     if (verdict.isDropped)
         return std::nullopt;

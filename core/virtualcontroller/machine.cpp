@@ -83,7 +83,7 @@ values::AlarmData axesOutside(const values::AxisWords &pulses)
 
 } // namespace
 
-void advance(Memory &memory, Time now)
+void advanceTo(Memory &memory, Time now)
 {
     for (Time next = nextEvent(memory); next <= now; next = nextEvent(memory)) {
         passTime(memory, next);

@@ -11,7 +11,7 @@ namespace virtualcontroller {
 
 /// Lets everything happen that is due until `now`: servo power comes, lines are executed, motions end, counters run. A
 /// time that has been passed already changes nothing.
-void advance(Memory &memory, Time now);
+void advanceTo(Memory &memory, Time now);
 
 /// Servo power on comes after Settings::servoDelay; off is at once, and stops what runs.
 void switchServo(Memory &memory, bool on);

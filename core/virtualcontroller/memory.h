@@ -87,7 +87,7 @@ struct Memory {
     Settings settings;
     protocol::Dialect dialect; ///< Of the settings' model and numbering.
     QDateTime switchedOn = QDateTime::currentDateTime(); ///< The wall clock at time 0.
-    Time now {}; ///< How far advance() has come.
+    Time now {}; ///< How far advanceTo() has come.
 
     Time silentUntil {}; ///< The server answers nothing until then; the responders do not care.
 

@@ -57,7 +57,7 @@ Answer answer(const Request &request, Memory &memory)
 
 std::optional<QByteArray> respond(QByteArrayView datagram, Memory &memory, Time now)
 {
-    advance(memory, now);
+    advanceTo(memory, now);
     const FrameVerdict verdict =
         judgeFrame(datagram, protocol::Division::Robot, memory.settings.answersWrongIdentifier);
     if (verdict.isDropped)

@@ -146,10 +146,10 @@ values::Result<Script> Script::parse(const QByteArray &json)
 void Script::run(Memory &memory, Time now)
 {
     while (m_done < m_events.size() && m_events[m_done].at <= now) {
-        advance(memory, m_events[m_done].at);
+        advanceTo(memory, m_events[m_done].at);
         m_events[m_done++].happen(memory);
     }
-    advance(memory, now);
+    advanceTo(memory, now);
 }
 
 std::optional<Time> Script::next() const
