@@ -61,9 +61,11 @@ void TestMessages::notices()
     settings::Profile profile;
     profile.host = QStringLiteral("192.168.1.31");
     const auto message = ui::noticeOf(link, profile).message;
-    QVERIFY2(message.text.startsWith(begin) && message.text.endsWith(end), qPrintable(message.text));
     QCOMPARE(message.text.isEmpty(), begin.isEmpty());
-    QVERIFY(message.text.isEmpty() || message.severity == severity);
+    if (message.text.isEmpty())
+        return;
+    QVERIFY2(message.text.startsWith(begin) && message.text.endsWith(end), qPrintable(message.text));
+    QVERIFY(message.severity == severity);
 }
 
 QTEST_GUILESS_MAIN(TestMessages)

@@ -15,7 +15,7 @@ Status status(quint32 data1, quint32 data2) { return {Status::Data1::fromInt(dat
 } // namespace
 
 /// The bits are those of reference §3.4, as numbers.
-class TestWords : public QObject
+class TestStatusWords : public QObject
 {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ private Q_SLOTS:
     void job();
 };
 
-void TestWords::words_data()
+void TestStatusWords::words_data()
 {
     using Function = Word (*)(const Status &);
     QTest::addColumn<Function>("function");
@@ -86,7 +86,7 @@ void TestWords::words_data()
     row("summary", ui::summaryWord, 0x68, 0x00, "TEACH + PLAY · contradictory", Lamp::Warning);
 }
 
-void TestWords::words()
+void TestStatusWords::words()
 {
     using Function = Word (*)(const Status &);
     QFETCH(Function, function);
@@ -99,7 +99,7 @@ void TestWords::words()
     QVERIFY(word.lamp == lamp);
 }
 
-void TestWords::text_data()
+void TestStatusWords::text_data()
 {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("text");
@@ -114,14 +114,14 @@ void TestWords::text_data()
     QTest::newRow("line feed") << QByteArray("A\nB") << QStringLiteral("A⟨0A⟩B");
 }
 
-void TestWords::text()
+void TestStatusWords::text()
 {
     QFETCH(QByteArray, bytes);
     QFETCH(QString, text);
     QCOMPARE(ui::controllerText(bytes), text);
 }
 
-void TestWords::numbers()
+void TestStatusWords::numbers()
 {
     QCOMPARE(ui::millimetres(1277751), QStringLiteral("1277.751"));
     QCOMPARE(ui::millimetres(-1), QStringLiteral("-0.001"));
@@ -136,7 +136,7 @@ void TestWords::numbers()
     QCOMPARE(ui::ageText(std::chrono::minutes {5}), QStringLiteral("5 min"));
 }
 
-void TestWords::job()
+void TestStatusWords::job()
 {
     values::ExecutingJob job;
     QCOMPARE(ui::jobName(job), QStringLiteral("—"));
@@ -147,5 +147,5 @@ void TestWords::job()
     QCOMPARE(ui::overrideText(job), QStringLiteral("12.5 %"));
 }
 
-QTEST_GUILESS_MAIN(TestWords)
-#include "tst_words.moc"
+QTEST_GUILESS_MAIN(TestStatusWords)
+#include "tst_statuswords.moc"
