@@ -117,14 +117,12 @@ Scheme schemeOf(const QPalette &palette)
     return palette.color(QPalette::Window).lightness() < 128 ? Scheme::Dark : Scheme::Light;
 }
 
-std::optional<Scheme> schemeFromOption(QStringView option, const QPalette &desktop)
+std::optional<Scheme> schemeFromName(QStringView name)
 {
-    if (option == QLatin1String("light"))
+    if (name == u"light")
         return Scheme::Light;
-    if (option == QLatin1String("dark"))
+    if (name == u"dark")
         return Scheme::Dark;
-    if (option == QLatin1String("auto"))
-        return schemeOf(desktop);
     return std::nullopt;
 }
 

@@ -52,8 +52,8 @@ struct Token {
 
 /// Light or dark, by the lightness of the window colour.
 [[nodiscard]] Scheme schemeOf(const QPalette &palette);
-/// "light", "dark" or "auto", which takes the desktop's scheme; nullopt for another word.
-[[nodiscard]] std::optional<Scheme> schemeFromOption(QStringView option, const QPalette &desktop);
+/// "light" or "dark"; nullopt for another word.
+[[nodiscard]] std::optional<Scheme> schemeFromName(QStringView name);
 
 /// Sizes are relative to the application's font.
 enum class Type {

@@ -3,6 +3,7 @@
 #include "demo.h"
 #include "options.h"
 #include "pictures.h"
+#include "timings.h"
 #include "ui/mainwindow.h"
 #include <QApplication>
 #include <QSettings>
@@ -33,32 +34,47 @@ values::Result<std::optional<settings::Profile>> wanted(const Options &options, 
     return demo.start().map([](const settings::Profile &profile) { return std::optional(profile); });
 }
 
-} // namespace
-
-int main(int argc, char *argv[])
+/// Reads the options without a screen: help and mistakes need none.
+values::Result<Options> readOptions(int argc, char *argv[])
 {
-    QApplication application {argc, argv};
-    name("pendesk");
+    const QCoreApplication application {argc, argv};
+    QSettings file;
+    return parse(QCoreApplication::arguments(), settings::ProfileStore {file});
+}
+
+int run(const Options &options, QApplication &application)
+{
     QSettings file;
     settings::ProfileStore store {file};
-    const auto options = parse(QCoreApplication::arguments(), store, QApplication::palette());
-    if (!options)
-        return complain(options.error().detail + QStringLiteral(" See pendesk --help."), Usage);
-    if (!options->text.isEmpty())
-        return std::fputs(qUtf8Printable(options->text), stdout) < 0 ? LocalFile : Done;
-
-    ui::apply(application, options->scheme);
+    ui::apply(application, options.scheme.value_or(ui::schemeOf(QApplication::palette())));
     Demo demo;
-    const auto target = wanted(*options, demo);
+    const auto target = wanted(options, demo);
     if (!target)
         return complain(target.error().detail, NoAnswer);
     ui::MainWindow window {store, [&demo] { return demo.start(); }};
     window.offer(target->value_or(store.find(store.lastUsed()).value_or(settings::Profile {})));
+    std::optional<Timings> timings;
+    if (options.wantsTimings)
+        timings.emplace(window);
     window.show();
-    Pictures pictures {window, options->pictures};
-    if (!options->pictures.isEmpty())
+    Pictures pictures {window, options.pictures};
+    if (!options.pictures.isEmpty())
         pictures.start();
     else if (*target)
         window.connectTo(**target);
     return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    name("pendesk");
+    const auto options = readOptions(argc, argv);
+    if (!options)
+        return complain(options.error().detail + QStringLiteral(" See pendesk --help."), Usage);
+    if (!options->text.isEmpty())
+        return std::fputs(qUtf8Printable(options->text), stdout) < 0 ? LocalFile : Done;
+    QApplication application {argc, argv};
+    return run(*options, application);
 }

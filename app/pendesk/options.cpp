@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "options.h"
 
+#include "settings/commandline.h"
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
@@ -27,80 +28,41 @@ void describe(QCommandLineParser &parser)
     parser.addHelpOption();
     parser.addVersionOption();
     add("demo", Texts::tr("Connect to a simulated controller inside the program."));
-    add("host", Texts::tr("Connect to the controller with this name or IPv4 address."), QStringLiteral("H"));
-    add("port", Texts::tr("Its port for robot control, 10040 unless told otherwise."), QStringLiteral("N"));
-    add("file-port", Texts::tr("Its port for file control, 10041 unless told otherwise."), QStringLiteral("N"));
-    add("profile", Texts::tr("Connect to the controller that is stored under this name."), QStringLiteral("NAME"));
+    settings::addConnectionOptions(parser);
     add("theme", Texts::tr("light, dark, or auto for the desktop's choice."), QStringLiteral("T"));
     add("monitor-only", Texts::tr("Allow watching and HOLD alone. This release does nothing else."));
     add("pictures", Texts::tr("Write pictures of every page to this folder, print the status read, and end."),
         QStringLiteral("DIR"));
-}
-
-values::Result<void> readPort(const QCommandLineParser &parser, const QString &option, quint16 &port)
-{
-    if (!parser.isSet(option))
-        return {};
-    bool isNumber = false;
-    const int value = parser.value(option).toInt(&isNumber);
-    if (!isNumber || value < 1 || value > 65535)
-        return mistake(Texts::tr("--%1 must be a whole number from 1 to 65535.").arg(option));
-    port = quint16(value);
-    return {};
-}
-
-values::Result<settings::Profile> base(const QCommandLineParser &parser, const settings::ProfileStore &store)
-{
-    if (!parser.isSet(QStringLiteral("profile")))
-        return settings::Profile {};
-    const QString name = parser.value(QStringLiteral("profile"));
-    if (const auto profile = store.find(name))
-        return *profile;
-    return mistake(Texts::tr("There is no controller stored under the name “%1”.").arg(name));
-}
-
-values::Result<settings::Profile> target(const QCommandLineParser &parser, const settings::ProfileStore &store)
-{
-    auto profile = base(parser, store);
-    if (!profile)
-        return profile;
-    if (parser.isSet(QStringLiteral("host"))) {
-        profile->host = parser.value(QStringLiteral("host"));
-        if (profile->name.isEmpty())
-            profile->name = profile->host;
-    }
-    for (auto [option, port] : {std::pair {QStringLiteral("port"), &profile->port},
-             std::pair {QStringLiteral("file-port"), &profile->filePort}}) {
-        if (const auto read = readPort(parser, option, *port); !read)
-            return tl::unexpected(read.error());
-    }
-    if (const QString complaint = settings::complaint(*profile); !complaint.isEmpty())
-        return mistake(complaint);
-    return profile;
+    add("timings", Texts::tr("Print when the window was painted and when the first status was live."));
 }
 
 /// Which controller, if any.
 values::Result<void> readTarget(const QCommandLineParser &parser, const settings::ProfileStore &store, Options &options)
 {
-    const bool hasTarget = parser.isSet(QStringLiteral("host")) || parser.isSet(QStringLiteral("profile"));
     options.isDemo = parser.isSet(QStringLiteral("demo"));
-    if (options.isDemo && hasTarget)
+    const auto target = settings::namedController(parser, store);
+    if (!target)
+        return tl::unexpected(target.error());
+    if (options.isDemo && *target)
         return mistake(Texts::tr("--demo brings its own controller: leave out --host and --profile."));
-    if (!hasTarget && (parser.isSet(QStringLiteral("port")) || parser.isSet(QStringLiteral("file-port"))))
-        return mistake(Texts::tr("--port and --file-port need --host or --profile."));
-    if (!hasTarget)
+    options.target = *target;
+    return {};
+}
+
+values::Result<void> readTheme(const QCommandLineParser &parser, Options &options)
+{
+    const QString theme = parser.value(QStringLiteral("theme"));
+    if (!parser.isSet(QStringLiteral("theme")) || theme == u"auto")
         return {};
-    auto profile = target(parser, store);
-    if (!profile)
-        return tl::unexpected(profile.error());
-    options.target = *profile;
+    options.scheme = ui::schemeFromName(theme);
+    if (!options.scheme)
+        return mistake(Texts::tr("--theme must be light, dark or auto."));
     return {};
 }
 
 } // namespace
 
-values::Result<Options> parse(
-    const QStringList &arguments, const settings::ProfileStore &store, const QPalette &desktop)
+values::Result<Options> parse(const QStringList &arguments, const settings::ProfileStore &store)
 {
     QCommandLineParser parser;
     describe(parser);
@@ -115,14 +77,11 @@ values::Result<Options> parse(
         return options;
     if (!parser.positionalArguments().isEmpty())
         return mistake(Texts::tr("“%1” is not an option.").arg(parser.positionalArguments().constFirst()));
-    const QString theme =
-        parser.isSet(QStringLiteral("theme")) ? parser.value(QStringLiteral("theme")) : QStringLiteral("auto");
-    const auto scheme = ui::schemeFromOption(theme, desktop);
-    if (!scheme)
-        return mistake(Texts::tr("--theme must be light, dark or auto."));
-    options.scheme = *scheme;
+    if (const auto theme = readTheme(parser, options); !theme)
+        return tl::unexpected(theme.error());
     if (const auto read = readTarget(parser, store, options); !read)
         return tl::unexpected(read.error());
+    options.wantsTimings = parser.isSet(QStringLiteral("timings"));
     options.pictures = parser.value(QStringLiteral("pictures"));
     if (parser.isSet(QStringLiteral("pictures")) && (options.pictures.isEmpty() || !(options.isDemo || options.target)))
         return mistake(Texts::tr("--pictures needs a folder, and --demo, --host or --profile."));

@@ -13,13 +13,13 @@ enum ExitCode { Done = 0, Usage = 2, NoAnswer = 3, LocalFile = 5 };
 struct Options {
     bool isDemo = false;
     std::optional<settings::Profile> target; ///< Connect to it at once.
-    ui::Scheme scheme = ui::Scheme::Light;
+    std::optional<ui::Scheme> scheme; ///< Empty: the desktop's.
+    bool wantsTimings = false;
     QString pictures; ///< Folder for pictures; empty: none wanted.
     QString text; ///< Set by --help and --version: print it and end.
 };
 
 /// BadInput with a whole sentence if the arguments (the program first) cannot be followed.
-[[nodiscard]] values::Result<Options> parse(
-    const QStringList &arguments, const settings::ProfileStore &store, const QPalette &desktop);
+[[nodiscard]] values::Result<Options> parse(const QStringList &arguments, const settings::ProfileStore &store);
 
 } // namespace pendesk

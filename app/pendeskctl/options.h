@@ -14,9 +14,6 @@ enum ExitCode { Done = 0, Differences = 1, Usage = 2, NoAnswer = 3, Refused = 4,
 /// The exit code that tells a script what kind of error it was.
 [[nodiscard]] ExitCode exitCodeOf(const values::Error &error);
 
-/// The options that every verb talking to a controller has: --host, --port, --file-port, --profile, --timeout, --json.
-void addConnectionOptions(QCommandLineParser &parser);
-
 /// The controller that the options name; BadInput with a sentence if they do not name one.
 [[nodiscard]] values::Result<settings::Profile> profileOf(const QCommandLineParser &parser);
 

@@ -6,6 +6,7 @@
 #include "protocol/codes.h"
 #include "robot/controller.h"
 #include "robot/snapshot.h"
+#include "settings/commandline.h"
 #include <QCoreApplication>
 #include <QJsonDocument>
 
@@ -44,7 +45,8 @@ int runStatus(const QStringList &arguments)
     QCommandLineParser parser;
     parser.setApplicationDescription(QCoreApplication::translate(
         "pendeskctl", "Reads status, executing job, position and system information once."));
-    addConnectionOptions(parser);
+    settings::addConnectionOptions(parser);
+    parser.addOption({QStringLiteral("json"), QCoreApplication::translate("pendeskctl", "Print JSON.")});
     if (const auto end = parse(parser, arguments))
         return *end;
     const auto profile = profileOf(parser);

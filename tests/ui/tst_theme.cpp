@@ -35,8 +35,9 @@ private Q_SLOTS:
     void contrast_data();
     void contrast();
     void contrastOfAccentButtons();
-    void schemeFromOption_data();
-    void schemeFromOption();
+    void schemes_data();
+    void schemes();
+    void schemeOfADesktop();
     void paletteKeepsItsScheme();
     void icons_data();
     void icons();
@@ -80,31 +81,31 @@ void TestTheme::contrastOfAccentButtons()
     }
 }
 
-void TestTheme::schemeFromOption_data()
+void TestTheme::schemes_data()
 {
-    QTest::addColumn<QString>("option");
-    QTest::addColumn<QColor>("desktop");
+    QTest::addColumn<QString>("name");
     QTest::addColumn<std::optional<Scheme>>("scheme");
-    const auto row = [](const char *name, const QColor &desktop, std::optional<Scheme> scheme) {
-        QTest::addRow("%s on %s", name, qPrintable(desktop.name())) << QString::fromLatin1(name) << desktop << scheme;
-    };
-    row("light", Qt::black, Scheme::Light);
-    row("dark", Qt::white, Scheme::Dark);
-    row("auto", Qt::white, Scheme::Light);
-    row("auto", Qt::black, Scheme::Dark);
-    row("", Qt::white, {});
-    row("Light", Qt::white, {});
-    row("grey", Qt::white, {});
+    QTest::newRow("light") << QStringLiteral("light") << std::optional {Scheme::Light};
+    QTest::newRow("dark") << QStringLiteral("dark") << std::optional {Scheme::Dark};
+    QTest::newRow("empty") << QString {} << std::optional<Scheme> {};
+    QTest::newRow("capital") << QStringLiteral("Light") << std::optional<Scheme> {};
+    QTest::newRow("auto") << QStringLiteral("auto") << std::optional<Scheme> {};
 }
 
-void TestTheme::schemeFromOption()
+void TestTheme::schemes()
 {
-    QFETCH(QString, option);
-    QFETCH(QColor, desktop);
+    QFETCH(QString, name);
     QFETCH(std::optional<Scheme>, scheme);
-    QPalette palette;
-    palette.setColor(QPalette::Window, desktop);
-    QVERIFY(ui::schemeFromOption(option, palette) == scheme);
+    QVERIFY(ui::schemeFromName(name) == scheme);
+}
+
+void TestTheme::schemeOfADesktop()
+{
+    QPalette desktop;
+    desktop.setColor(QPalette::Window, Qt::black);
+    QVERIFY(ui::schemeOf(desktop) == Scheme::Dark);
+    desktop.setColor(QPalette::Window, Qt::white);
+    QVERIFY(ui::schemeOf(desktop) == Scheme::Light);
 }
 
 void TestTheme::paletteKeepsItsScheme()

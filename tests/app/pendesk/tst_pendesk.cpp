@@ -53,7 +53,7 @@ void TestPendesk::options_data()
     row("--host h --port 0", 2, "--port must be a whole number from 1 to 65535");
     row("--host h --port 65536", 2, "--port must be");
     row("--host h --file-port x", 2, "--file-port must be");
-    row("--port 10040", 2, "need --host or --profile");
+    row("--port 10040", 2, "--port needs --host or --profile");
     row("--profile nobody", 2, "“nobody”");
     row("--demo --host h", 2, "--demo brings its own controller");
     row("--pictures p", 2, "--pictures needs");
