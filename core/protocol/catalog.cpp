@@ -53,7 +53,7 @@ Result<Fields> fieldsOf(
     auto fields = countField(command, payload);
     if (!fields)
         return fields;
-    const auto items = command.fields(payload.sliced(PluralRule::countSize), request, codec);
+    auto items = command.fields(payload.sliced(PluralRule::countSize), request, codec);
     if (!items)
         return items;
     if (qint64(PluralRule::countSize) + fields->first().value.toInteger() * command.size != payload.size())

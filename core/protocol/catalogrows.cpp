@@ -149,7 +149,7 @@ template <typename Item> Result<Fields> itemFields(QByteArrayView payload, const
         Item item;
         FieldReader reader {payload.first(std::min(size, payload.size())), 0, codec};
         Layout<Item>::describe(reader, item);
-        const auto fields = finished(reader, payload);
+        auto fields = finished(reader, payload);
         if (!fields)
             return fields;
         values += itemOf(*fields);

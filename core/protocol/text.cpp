@@ -68,7 +68,7 @@ public:
         for (qsizetype size = 1; size <= std::min(bytes.size(), longest); ++size) {
             m_decoder.resetState();
             const QString text = m_decoder.decode(bytes.first(size));
-            if (!m_decoder.hasError() && isCharacter(text))
+            if (isCharacter(text)) // a decoder that once saw an error keeps saying so, even after resetState()
                 return {size, text};
         }
         return {1, {}};

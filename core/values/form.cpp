@@ -57,7 +57,7 @@ Result<quint32> formFromWords(const QStringList &words, std::span<const FormBit>
 {
     quint32 form = 0;
     for (const QString &word : words) {
-        const auto bit = bitOf(word, table);
+        auto bit = bitOf(word, table);
         if (!bit)
             return bit;
         form |= *bit;

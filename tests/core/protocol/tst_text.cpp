@@ -81,6 +81,9 @@ void TextTest::showsUndecodableBytes_data()
     row("cut at the end", ShiftJis, "418a", "A⟨8A⟩");
     row("lead byte before a digit", ShiftJis, "8a31", "⟨8A⟩1");
     row("no lead byte", ShiftJis, "ff41", "⟨FF⟩A");
+    row("character behind it", ShiftJis, "ff8365ff8358", "⟨FF⟩テ⟨FF⟩ス");
+    row("private character", ShiftJis, "f0408365", "⟨F0⟩@テ");
+    row("character behind a cut one", Utf8, "e383c3a9", "⟨E3⟩⟨83⟩é");
     row("stray continuation", Utf8, "8a", "⟨8A⟩");
     row("overlong", Utf8, "c080", "⟨C0⟩⟨80⟩");
     row("cut character", Utf8, "41e383", "A⟨E3⟩⟨83⟩");
@@ -88,6 +91,7 @@ void TextTest::showsUndecodableBytes_data()
     row("gbk", Gbk, "ff", "⟨FF⟩");
     row("big5", Big5, "80", "⟨80⟩");
     row("euc-kr", EucKr, "83", "⟨83⟩");
+    row("euc-kr in front of a character", EucKr, "ffbdc366", "⟨FF⟩시f");
 }
 
 void TextTest::showsUndecodableBytes()
