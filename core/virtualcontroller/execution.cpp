@@ -18,13 +18,16 @@ namespace {
 constexpr Time lookAgain = 20ms; ///< How often WAIT looks at its signal.
 constexpr std::size_t deepestCall = 8;
 
-Time seconds(const QByteArray &text) { return Time {qint64(text.toDouble() * 1000)}; }
+/// A number of units that is neither below 0 nor beyond all measure.
+qint64 bounded(double number) { return number > 0 ? qint64(std::min(number, 1e9)) : 0; }
 
-/// The number in "IN#(12)" and the like.
+Time seconds(const QByteArray &text) { return Time {bounded(text.toDouble() * 1000)}; }
+
+/// The number in "IN#(12)" and the like; 0 where there is none.
 int signalNumber(const QByteArray &operand)
 {
     const auto open = operand.indexOf('(');
-    return operand.sliced(open + 1).chopped(1).toInt();
+    return operand.mid(open + 1, operand.size() - open - 2).toInt();
 }
 
 std::optional<IoArea> signalArea(const QByteArray &operand)
@@ -73,13 +76,8 @@ bool isTrue(Memory &memory, const QByteArray &condition)
     const QByteArray sign = condition.mid(hasTwo ? split - 1 : split, hasTwo ? 2 : 1);
     const int left = valueOf(memory, condition.first(hasTwo ? split - 1 : split));
     const int right = valueOf(memory, condition.sliced(split + 1));
-    if (sign == "=")
-        return left == right;
-    if (sign == "<")
-        return left < right;
-    if (sign == ">")
-        return left > right;
-    return sign == "<=" ? left <= right : left >= right;
+    return (left == right && sign != "<>" && sign.contains('=')) || (left < right && sign.contains('<'))
+        || (left > right && sign.contains('>'));
 }
 
 /// True unless the instruction ends with "IF ..." and that is not so.
@@ -92,7 +90,7 @@ bool applies(Memory &memory, const Instruction &instruction)
 Speed speedOf(const Instruction &instruction)
 {
     const auto wire = [&](const char *key, double units) {
-        return quint32(std::max(0.0, instruction.valueOf(key).toDouble() * units));
+        return quint32(bounded(instruction.valueOf(key).toDouble() * units));
     };
     if (const quint32 percent = wire("VJ=", 100))
         return {SpeedClass::Percent, percent};
@@ -121,7 +119,7 @@ Time beginMove(Memory &memory, const Task &task, const Instruction &instruction)
 {
     const auto position = target(memory, *task.stack.back().program, instruction.operand(1));
     if (!position) {
-        raiseAlarm(memory, 4446, "UNDEFINED POSITION");
+        raiseAlarm(memory, 4498, "UNDEFINED POSITION");
         return 0ms;
     }
     Group &robot = memory.groups.front();
@@ -173,7 +171,7 @@ void setVariable(Memory &memory, const Instruction &instruction)
 
 void setOutput(Memory &memory, const Instruction &instruction)
 {
-    if (instruction.word() == "DOUT")
+    if (instruction.word() == "DOUT" && signalArea(instruction.operand(1)) == IoArea::UserOutput)
         memory.setSignal(IoArea::UserOutput, signalNumber(instruction.operand(1)), instruction.operand(2) == "ON");
 }
 
@@ -197,25 +195,44 @@ void leave(Memory &memory, Task &task)
         stopRunning(memory);
 }
 
+/// Why a job cannot go on. The numbers are the virtual controller's own.
+void getStuck(Memory &memory, QByteArrayView why) { raiseAlarm(memory, 4499, why); }
+
+void call(Memory &memory, Task &task, const Instruction &instruction)
+{
+    const auto job = jobOperand(memory, instruction);
+    if (!job)
+        return getStuck(memory, "JOB NOT FOUND");
+    if (task.stack.size() >= deepestCall)
+        return getStuck(memory, "CALLS TOO DEEP");
+    task.stack.push_back({job, 0});
+}
+
+void jump(Memory &memory, Task &task, const Instruction &instruction)
+{
+    Frame &frame = task.stack.back();
+    const auto label = frame.program->labels.find(instruction.operand(1));
+    if (const auto job = jobOperand(memory, instruction))
+        frame = {job, 0};
+    else if (label != frame.program->labels.end())
+        frame.line = label->second;
+    else
+        getStuck(memory, "NO PLACE TO JUMP TO");
+}
+
 /// Goes where the instruction at the top of the stack leads.
 void goOn(Memory &memory, Task &task, const Instruction &instruction)
 {
-    Frame &frame = task.stack.back();
     const QByteArray word = instruction.word();
-    if (word == "END" || (word == "RET" && applies(memory, instruction)))
-        return leave(memory, task);
     const bool goes = applies(memory, instruction);
-    if (const auto job = goes ? jobOperand(memory, instruction) : nullptr; job && word == "CALL") {
-        if (task.stack.size() < deepestCall)
-            task.stack.push_back({job, 0});
-    } else if (job && word == "JUMP") {
-        frame = {job, 0};
-    } else if (const auto label = frame.program->labels.find(instruction.operand(1));
-               goes && word == "JUMP" && label != frame.program->labels.end()) {
-        frame.line = label->second;
-    } else {
-        ++frame.line;
-    }
+    if (word == "END" || (word == "RET" && goes))
+        leave(memory, task);
+    else if (word == "CALL" && goes)
+        call(memory, task, instruction);
+    else if (word == "JUMP" && goes)
+        jump(memory, task, instruction);
+    else
+        ++task.stack.back().line;
 }
 
 void finishLine(Memory &memory, Task &task)

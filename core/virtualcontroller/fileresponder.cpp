@@ -21,11 +21,14 @@ enum Refusal : quint16 {
     WrongAttribute = 0xA002,
     TimedOut = 0xE28B,
     Busy = 0xE444,
+    NoMemory = 0x4010,
     NoData = 0xE49D,
     WrongBlock = 0xE4A1,
     WrongAck = 0xE4A2,
     ModeChanged = 0xFFFE,
 };
+
+constexpr qsizetype maxFileSize = 16 << 20;
 
 using Answer = std::optional<QByteArray>;
 
@@ -131,6 +134,8 @@ QByteArray takeBlock(Transfer &transfer, const ClientPacket &packet, Memory &mem
         return refusalReply(packet, WrongBlock);
     if (packet.payload.isEmpty())
         return refusalReply(packet, NoData);
+    if (transfer.data.size() > maxFileSize)
+        return refusalReply(packet, NoMemory);
     transfer.data += packet.payload;
     transfer.block = expected;
     transfer.isOver = isLast;

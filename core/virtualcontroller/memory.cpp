@@ -12,11 +12,18 @@ namespace virtualcontroller {
 
 namespace {
 
-/// The group and bit of signal `number` of an area.
-std::pair<quint16, int> signalPlace(const protocol::Dialect &dialect, IoArea area, int number)
+struct SignalPlace {
+    quint16 group;
+    int bit;
+};
+
+/// Where signal `number` of an area is; nullopt if the area does not reach that far.
+std::optional<SignalPlace> signalPlace(const protocol::Dialect &dialect, IoArea area, int number)
 {
-    const int index = std::max(number, 1) - 1;
-    return {quint16(dialect.ioRange(area).first + index / 8), index % 8};
+    const auto groups = dialect.ioRange(area);
+    if (number < 1 || number > groups.count() * 8)
+        return std::nullopt;
+    return SignalPlace {quint16(groups.first + (number - 1) / 8), (number - 1) % 8};
 }
 
 /// The pulse instance of any instance of a group.
@@ -69,15 +76,15 @@ values::FixedText<16> Memory::clockText() const
 
 bool Memory::signal(IoArea area, int number) const
 {
-    const auto [group, bit] = signalPlace(dialect, area, number);
-    const auto found = io.find(group);
-    return found != io.end() && values::IoGroup {found->second}.isOn(bit);
+    const auto place = signalPlace(dialect, area, number);
+    const auto found = place ? io.find(place->group) : io.end();
+    return found != io.end() && values::IoGroup {found->second}.isOn(place->bit);
 }
 
 void Memory::setSignal(IoArea area, int number, bool on)
 {
-    const auto [group, bit] = signalPlace(dialect, area, number);
-    io[group] = values::IoGroup {io[group]}.with(bit, on).bits;
+    if (const auto place = signalPlace(dialect, area, number))
+        io[place->group] = values::IoGroup {io[place->group]}.with(place->bit, on).bits;
 }
 
 } // namespace virtualcontroller

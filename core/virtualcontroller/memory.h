@@ -138,7 +138,8 @@ struct Memory {
     /// The controller's clock as its texts have it: "YYYY/MM/DD hh:mm".
     [[nodiscard]] values::FixedText<16> clockText() const;
 
-    /// Signal number n of an area, counted from 1 as INFORM does: IN#(n), OT#(n).
+    /// Signal number n of an area, counted from 1 as INFORM does: IN#(n), OT#(n). Beyond the area there is none: it is
+    /// off, and setting it does nothing.
     [[nodiscard]] bool signal(protocol::IoArea area, int number) const;
     void setSignal(protocol::IoArea area, int number, bool on);
 };

@@ -51,7 +51,7 @@ std::optional<qint32> wireWord(const QByteArray &text, values::AxisUnit unit)
     const double number = text.toDouble(&ok);
     const double factor = unit == values::AxisUnit::Pulse ? 1 : unit == values::AxisUnit::Micrometre ? 1e3 : 1e4;
     const double scaled = number * factor;
-    if (!ok || std::abs(scaled) > INT32_MAX)
+    if (!ok || !(std::abs(scaled) <= INT32_MAX)) // not a number is not within either
         return std::nullopt;
     return qint32(std::lround(scaled));
 }

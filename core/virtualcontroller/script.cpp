@@ -16,6 +16,9 @@ namespace virtualcontroller {
 
 namespace {
 
+/// Seconds of a script; whoever waits longer than a year waits for ever.
+Time seconds(const QJsonValue &value) { return Time {qint64(std::clamp(value.toDouble(), 0.0, 3e7) * 1000)}; }
+
 using Happening = std::function<void(Memory &)>;
 /// Makes what happens of an event, empty if a value is wrong.
 using Maker = Happening (*)(const QJsonValue &, const QJsonObject &);
@@ -85,7 +88,7 @@ Happening safety(const QJsonValue &value, const QJsonObject &)
 
 Happening silence(const QJsonValue &value, const QJsonObject &)
 {
-    return [time = Time {qint64(value.toDouble() * 1000)}](Memory &m) { m.silentUntil = m.now + time; };
+    return [time = seconds(value)](Memory &m) { m.silentUntil = m.now + time; };
 }
 
 const std::map<QString, Maker> &makers()
@@ -112,7 +115,7 @@ values::Result<Script::Event> parseEvent(qsizetype index, const QJsonObject &obj
         if (!object.contains(key))
             continue;
         if (Happening happening = maker(object.value(key), object))
-            return Script::Event {Time {qint64(at.toDouble() * 1000)}, std::move(happening)};
+            return Script::Event {seconds(at), std::move(happening)};
         return wrong(index, QStringLiteral("\"%1\" cannot be like that").arg(key));
     }
     return wrong(index, QStringLiteral("it has no key that says what happens"));

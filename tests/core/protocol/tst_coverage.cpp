@@ -5,6 +5,9 @@
 #include "protocol/fileblocks.h"
 #include "support/golden.h"
 #include "support/typedrequests.h"
+#include "virtualcontroller/fileresponder.h"
+#include "virtualcontroller/machine.h"
+#include "virtualcontroller/responder.h"
 #include <QTest>
 #include <set>
 
@@ -90,6 +93,69 @@ Orders decodedOrders()
     return orders;
 }
 
+/// A virtual controller on which nothing stands against any order of the table.
+virtualcontroller::Memory readyForAnything()
+{
+    using values::ControlGroup;
+    virtualcontroller::Memory memory;
+    memory.settings.hasBatchBackup = true;
+    memory.status.data2.setFlag(values::Status::ServoOn);
+    memory.tasks.resize(16);
+    memory.groups = {{ControlGroup::robotPulse(1), {0, 0, 0, 0, 0, 0}, {}}};
+    for (const auto group : {ControlGroup::robotPulse(2), ControlGroup::basePulse(1), ControlGroup::basePulse(2),
+             ControlGroup::stationPulse(1), ControlGroup::stationPulse(2)})
+        memory.groups.push_back({group, {0, 0, 0}, {}});
+    memory.p.assign(memory.p.size(), values::PositionVariable {});
+    memory.bp.assign(memory.bp.size(), values::BasePosition {});
+    memory.ex.assign(memory.ex.size(), values::ExternalPosition {});
+    for (quint16 instance = 1; instance < 400; ++instance) {
+        memory.times[instance] = {};
+        memory.systemInformation[instance] = {};
+        memory.encoderTemperatures[instance] = {};
+        memory.converterTemperatures[instance] = {};
+    }
+    for (const golden::Exchange &exchange : golden::exchanges()) {
+        const auto request = parseClientPacket(exchange.packets.first().bytes);
+        if (request && request->command == 0x87) // the jobs that the golden packets select
+            memory.files[decode<values::JobSelection>(request->payload)->job.bytes().toByteArray() + ".JBI"] =
+                memory.files.at("HOME.JBI");
+    }
+    for (const char *name : {"DEMO01.JBI", "BIG.JBI", "CMOSBK.BIN"})
+        memory.files[name] = memory.files.at("HOME.JBI");
+    virtualcontroller::selectJob(memory, 0, "HOME", 0);
+    return memory;
+}
+
+/// What the virtual controller answers to a request on its own; the code of a refusal, 0 for a good reply.
+int simulatedCode(const Request &request)
+{
+    auto memory = readyForAnything();
+    const bool isFile = request.command == 0;
+    const QByteArray packet = encode(request, {isFile ? Division::File : Division::Robot, false, 1, 0});
+    const auto reply = isFile ? virtualcontroller::respondFile(packet, "peer", memory, {})
+                              : virtualcontroller::respond(packet, memory, {});
+    return reply ? int(parseReply(*reply)->addedStatus) : -1;
+}
+
+/// The virtual controller does it, or refuses it to the instance that nothing has.
+Orders simulatedOrders(bool isWronglyAddressed)
+{
+    constexpr quint16 nobody = 9999;
+    constexpr int instanceError = 0xA001;
+    Orders orders;
+    const auto tryOut = [&](Request request) {
+        if (isWronglyAddressed)
+            request.instance = nobody;
+        if (simulatedCode(request) == (isWronglyAddressed ? instanceError : 0))
+            orders.insert(orderOf(request));
+    };
+    for (const typed::Row &row : typed::rows())
+        tryOut(row.request);
+    for (const typed::FileRow &row : typed::fileRows())
+        tryOut(row.request);
+    return orders;
+}
+
 struct Column {
     const char *name;
     Orders covered;
@@ -102,6 +168,8 @@ QList<Column> columns()
         {"typed", typedOrders()},
         {"encoded golden", encodedOrders()},
         {"decoded golden", decodedOrders()},
+        {"simulated", simulatedOrders(false)},
+        {"misaddressed", simulatedOrders(true)},
     };
 }
 
