@@ -100,6 +100,8 @@ void Controller::resolve()
 void Controller::openLink(const QHostAddress &address)
 {
     m_link = std::make_unique<Link>(address, m_profile);
+    connect(
+        &m_link->session, &session::Session::outcomeUnknown, m_poller, [this] { m_poller->readNow(Topic::Status); });
     m_poller->setProbing(true);
     m_poller->start(m_link->session);
 }
@@ -166,14 +168,14 @@ void Controller::hold()
 {
     if (!m_link)
         return;
-    auto *order = new HoldOrder {m_link->session, &m_link->orders};
-    connect(order, &HoldOrder::statusRead, this,
+    auto *order = new StopOrder {Stop::Hold, m_link->session, &m_link->orders};
+    connect(order, &StopOrder::statusRead, this,
         [this](const values::Status &status, Time at) { m_state->takeStatus(status, at); });
-    connect(order, &HoldOrder::finished, this, [this](HoldOrder::Outcome outcome, const std::optional<Error> &refusal) {
+    connect(order, &StopOrder::finished, this, [this](StopOrder::Outcome outcome, const std::optional<Error> &refusal) {
         switch (outcome) {
-        case HoldOrder::Outcome::Confirmed: return setHold(HoldProgress::Confirmed);
-        case HoldOrder::Outcome::Refused: return setHold(HoldProgress::Refused, refusal);
-        case HoldOrder::Outcome::Unconfirmed: return setHold(HoldProgress::Unconfirmed);
+        case StopOrder::Outcome::Confirmed: return setHold(HoldProgress::Confirmed);
+        case StopOrder::Outcome::Refused: return setHold(HoldProgress::Refused, refusal);
+        case StopOrder::Outcome::Unconfirmed: return setHold(HoldProgress::Unconfirmed);
         }
     });
     setHold(HoldProgress::Sent);

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "robot/holdorder.h"
 #include "robot/poller.h"
 #include "robot/robotstate.h"
+#include "robot/stoporder.h"
 #include "session/statistics.h"
 #include "settings/profile.h"
 #include <QTimer>
@@ -54,7 +54,7 @@ public:
     /// Ends the link and forgets what was read.
     void close();
 
-    /// HOLD on, at once and ahead of everything: see HoldOrder. Does nothing while Disconnected, when there is no link.
+    /// HOLD on, at once and ahead of everything: see StopOrder. Does nothing while Disconnected, when there is no link.
     void hold();
 
 Q_SIGNALS:

@@ -65,6 +65,13 @@ void Poller::stop()
     m_session = nullptr;
 }
 
+void Poller::readNow(Topic topic)
+{
+    slot(topic).due = {};
+    if (m_session)
+        m_timer.start(0ms);
+}
+
 void Poller::setProbing(bool probing)
 {
     m_isProbing = probing;

@@ -31,6 +31,8 @@ public:
     /// Begins reading over `session`, which must stay until stop(). Topics that are read once are read again.
     void start(session::Session &session);
     void stop();
+    /// Reads a topic without waiting for its slot, unless it is being read.
+    void readNow(Topic topic);
     /// While probing, only the status and the system information are read: enough to find out whether somebody answers.
     void setProbing(bool probing);
 

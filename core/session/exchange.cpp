@@ -98,10 +98,10 @@ std::optional<Exchange::Departure> Exchange::departAgain(Time now)
     }
     ++m_counters.repeats;
     if (onMiss)
-        onMiss(now);
+        onMiss(now, due->order.request.command);
     countTowardsCeiling(due->order.priority, now);
     noteTry(*due, now);
-    return Departure {due->order.ticket, due->packet};
+    return Departure {due->order.ticket, due->order.request.command, due->packet};
 }
 
 std::optional<Exchange::Departure> Exchange::departFirst(Waiting &&order, quint8 id, Time now)
@@ -115,7 +115,7 @@ std::optional<Exchange::Departure> Exchange::departFirst(Waiting &&order, quint8
     noteTry(open, now);
     m_departed = m_open.size();
     m_open.push_back(std::move(open));
-    return Departure {m_open.back().order.ticket, m_open.back().packet};
+    return Departure {m_open.back().order.ticket, m_open.back().order.request.command, m_open.back().packet};
 }
 
 /// One more try leaves. Only what may be repeated gets a time for another.
@@ -174,7 +174,7 @@ std::optional<Ending> Exchange::receive(QByteArrayView datagram, Time now)
         const auto roundTrip = std::chrono::duration_cast<std::chrono::microseconds>(now - open->lastSent);
         m_retransmission.measure(roundTrip);
         if (onRoundTrip)
-            onRoundTrip(now, roundTrip);
+            onRoundTrip(now, open->order.request.command, roundTrip);
     }
     m_wasAnswered[open->id] = true;
     const bool ends = !waitForBusy(*open, *reply, now) && !open->isWithdrawn;
@@ -215,7 +215,7 @@ std::vector<Ending> Exchange::expire(Time now)
             continue;
         ++m_counters.lost;
         if (onMiss)
-            onMiss(now);
+            onMiss(now, open.order.request.command);
         if (!open.isWithdrawn)
             endings.push_back({open.order.ticket, tl::unexpected(silence(open))});
         close(i, false, now);

@@ -33,6 +33,7 @@ public:
     /// One try that is to leave now.
     struct Departure {
         Ticket ticket;
+        quint16 command;
         QByteArrayView packet; ///< Valid until the next call.
     };
 
@@ -64,9 +65,9 @@ public:
     /// Whether anybody still waits for a request; asked before each try. Set once, before the first request.
     std::function<bool(Ticket)> isWanted;
     /// A round trip was measured. Set once, before the first request.
-    std::function<void(Time, std::chrono::microseconds)> onRoundTrip;
+    std::function<void(Time, quint16 command, std::chrono::microseconds)> onRoundTrip;
     /// A try was given up: it was repeated, or its request ended without an answer.
-    std::function<void(Time)> onMiss;
+    std::function<void(Time, quint16 command)> onMiss;
 
 private:
     struct Waiting {

@@ -39,11 +39,40 @@ LinkMeter::Second &LinkMeter::second(Time now)
     return m_seconds.back();
 }
 
-void LinkMeter::roundTrip(Time now, std::chrono::microseconds roundTrip)
+void LinkMeter::sent(Time now, quint16 command)
+{
+    ++second(now).sent;
+    ++m_commands[command].sent;
+}
+
+void LinkMeter::miss(Time now, quint16 command)
+{
+    ++second(now).missed;
+    ++m_commands[command].missed;
+}
+
+void LinkMeter::roundTrip(Time now, quint16 command, std::chrono::microseconds roundTrip)
 {
     Second &current = second(now);
     if (current.roundTrips.size() < samplesPerSecond)
         current.roundTrips.push_back(roundTrip);
+    CommandRecord &record = m_commands[command];
+    record.roundTrips[record.answers++ % record.roundTrips.size()] = roundTrip;
+    record.lastAnswer = now;
+}
+
+CommandStatistics LinkMeter::summary(quint16 command, const CommandRecord &record, Time now)
+{
+    const auto count = std::min<quint64>(record.answers, record.roundTrips.size());
+    const RoundTrips samples {record.roundTrips.begin(), record.roundTrips.begin() + std::ptrdiff_t(count)};
+    CommandStatistics result;
+    result.command = command;
+    result.p50 = percentile(samples, 50);
+    result.p95 = percentile(samples, 95);
+    result.loss = record.sent > 0 ? double(record.missed) / double(record.sent) : 0;
+    if (count > 0)
+        result.lastAnswerAge = std::chrono::duration_cast<Milliseconds>(now - record.lastAnswer);
+    return result;
 }
 
 LinkStatistics LinkMeter::statistics(Time now) const
@@ -51,6 +80,8 @@ LinkStatistics LinkMeter::statistics(Time now) const
     LinkStatistics result;
     if (m_lastAnswer)
         result.lastAnswerAge = std::chrono::duration_cast<Milliseconds>(now - *m_lastAnswer);
+    for (const auto &[command, record] : m_commands)
+        result.commands.push_back(summary(command, record, now));
     const Time current = secondOf(now);
     RoundTrips all;
     int sent = 0;

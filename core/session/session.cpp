@@ -26,8 +26,10 @@ Session::Session(Transport &transport, const Policy &policy, QObject *parent)
         m_pending.erase(pending);
         return false;
     };
-    m_exchange.onRoundTrip = [this](Time at, std::chrono::microseconds roundTrip) { m_meter.roundTrip(at, roundTrip); };
-    m_exchange.onMiss = [this](Time at) { m_meter.miss(at); };
+    m_exchange.onRoundTrip = [this](Time at, quint16 command, std::chrono::microseconds roundTrip) {
+        m_meter.roundTrip(at, command, roundTrip);
+    };
+    m_exchange.onMiss = [this](Time at, quint16 command) { m_meter.miss(at, command); };
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &Session::onDeadline);
@@ -49,7 +51,7 @@ void Session::pump()
 {
     const Time at = now();
     while (const auto departure = m_exchange.depart(at)) {
-        m_meter.sent(at);
+        m_meter.sent(at, departure->command);
         if (const auto sent = m_transport.send(departure->packet); !sent) {
             if (auto ending = m_exchange.departureFailed(sent.error(), at))
                 m_due.push_back(*ending);
@@ -93,6 +95,8 @@ void Session::finish(const Ending &ending)
         m_meter.answer(now());
     if (!pending.empty() && pending.mapped().context)
         pending.mapped().handler(ending.reply);
+    if (!ending.reply && ending.reply.error().kind == values::ErrorKind::UnknownOutcome)
+        Q_EMIT outcomeUnknown();
 }
 
 void Session::abandon()

@@ -57,6 +57,10 @@ public:
         }
     }
 
+Q_SIGNALS:
+    /// A write, start or move was not answered; its handler has been told. The status should be read now.
+    void outcomeUnknown();
+
 private:
     using RawHandler = std::function<void(const values::Result<protocol::Reply> &)>;
     struct Pending {

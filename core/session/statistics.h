@@ -32,6 +32,15 @@ struct LinkSecond {
     std::optional<std::chrono::microseconds> roundTrip; ///< The median; empty if nothing was answered.
 };
 
+/// How one command fares on a link.
+struct CommandStatistics {
+    quint16 command = 0;
+    std::optional<std::chrono::microseconds> p50; ///< Of the last 64 answers; empty before the first.
+    std::optional<std::chrono::microseconds> p95;
+    double loss = 0; ///< Tries given up among tries sent since the link was opened, 0 to 1.
+    std::optional<std::chrono::milliseconds> lastAnswerAge; ///< Empty before the first answer.
+};
+
 /// The last minute of a link.
 struct LinkStatistics {
     std::optional<std::chrono::microseconds> p50; ///< Round trip; empty before the first answer.
@@ -40,6 +49,7 @@ struct LinkStatistics {
     int requestsPerSecond = 0; ///< Tries sent in the last full second.
     std::optional<std::chrono::milliseconds> lastAnswerAge; ///< Empty before the first answer.
     std::vector<LinkSecond> seconds; ///< Oldest first, at most 60, up to the last full second.
+    std::vector<CommandStatistics> commands; ///< By number.
     Counters counters;
 };
 

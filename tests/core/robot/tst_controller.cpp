@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/controller.h"
 #include "robot/diagnosis.h"
+#include "session/session.h"
+#include "session/udptransport.h"
 #include "virtualcontroller/server.h"
 #include <QSignalSpy>
 #include <QTest>
@@ -151,6 +153,21 @@ private Q_SLOTS:
             holds += protocol::parseClientPacket(datagram)->command == 0x83;
         }
         QVERIFY(holds >= 7); // every 100 ms at the latest, for 2 s, on a link that was never measured
+    }
+
+    void servoOffIsConfirmedByTheStatus()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        server.memory().status.data2.setFlag(values::Status::ServoOn);
+        session::UdpTransport transport {QHostAddress {QHostAddress::LocalHost}, server.port()};
+        session::Session session {transport, {}};
+        auto *order = new StopOrder {Stop::ServoOff, session, this};
+        QSignalSpy finished {order, &StopOrder::finished};
+        order->start();
+        QTRY_COMPARE(finished.count(), 1);
+        QVERIFY(finished.first().first().value<StopOrder::Outcome>() == StopOrder::Outcome::Confirmed);
+        QVERIFY(!server.memory().status.isServoOn());
     }
 
     void closingForgets()

@@ -142,6 +142,7 @@ private Q_SLOTS:
     {
         FakeTransport transport;
         Session session {transport, impatient()};
+        QSignalSpy unknown {&session, &Session::outcomeUnknown};
         std::optional<ErrorKind> read;
         std::optional<ErrorKind> write;
         session.send(ReadStatus {}, this, [&](const Result<Status> &status) { read = status.error().kind; });
@@ -149,6 +150,7 @@ private Q_SLOTS:
         QTRY_VERIFY(read && write);
         QCOMPARE(*read, ErrorKind::NoAnswer);
         QCOMPARE(*write, ErrorKind::UnknownOutcome);
+        QCOMPARE(unknown.count(), 1);
         QCOMPARE(transport.packets.size(), 4); // three tries of the read, one of the write
     }
 
