@@ -85,6 +85,7 @@ QString caption(HoldProgress progress)
 RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &profile, QWidget *parent)
     : QWidget(parent),
       m_state {state},
+      m_encoding {profile.encoding},
       m_row {new QHBoxLayout(this)},
       m_job {new widgets::ValueLabel(Type::StripState)},
       m_place {new widgets::ValueLabel(Type::Body)},
@@ -181,7 +182,7 @@ void RobotStrip::showStatus()
 void RobotStrip::showJob()
 {
     const auto freshness = m_state.freshness(robot::Topic::Job);
-    const auto name = [](const values::ExecutingJob &job) { return widgets::Word {jobName(job)}; };
+    const auto name = [this](const values::ExecutingJob &job) { return widgets::Word {jobName(job, m_encoding)}; };
     const auto place = [](const values::ExecutingJob &job) { return widgets::Word {jobPlace(job)}; };
     m_job->show(widgets::shown(m_state.job(), freshness, name));
     m_place->show(widgets::shown(m_state.job(), freshness, place));

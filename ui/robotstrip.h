@@ -47,6 +47,7 @@ private:
     void showLinkCell();
 
     const robot::RobotState &m_state;
+    protocol::Encoding m_encoding;
     QHBoxLayout *m_row;
     QList<widgets::StateField *> m_statusFields; ///< In the order of the table of fields.
     QWidget *m_jobCell = nullptr;

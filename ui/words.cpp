@@ -119,23 +119,21 @@ Word summaryWord(const Status &status)
     return status.isRunning() ? summary(Words::tr("running"), Lamp::Filled) : summary(Words::tr("idle"), Lamp::Hollow);
 }
 
-QString controllerText(QByteArrayView bytes)
+QString controllerText(QByteArrayView bytes, protocol::Encoding encoding)
 {
     QString text;
-    text.reserve(bytes.size());
-    for (const char byte : bytes) {
-        const QChar character = QLatin1Char(byte);
-        if (character.isPrint())
-            text += character;
+    for (const QChar character : protocol::TextCodec {encoding}.decode(bytes)) {
+        if (character.category() == QChar::Other_Control)
+            text += QStringLiteral("⟨%1⟩").arg(character.unicode(), 2, 16, QLatin1Char('0')).toUpper();
         else
-            text += QStringLiteral("⟨%1⟩").arg(uchar(byte), 2, 16, QLatin1Char('0')).toUpper();
+            text += character;
     }
     return text;
 }
 
-QString jobName(const values::ExecutingJob &job)
+QString jobName(const values::ExecutingJob &job, protocol::Encoding encoding)
 {
-    return job.name.isEmpty() ? widgets::dash() : controllerText(job.name.bytes());
+    return job.name.isEmpty() ? widgets::dash() : controllerText(job.name.bytes(), encoding);
 }
 
 QString overrideText(const values::ExecutingJob &job)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "protocol/text.h"
 #include "session/statistics.h"
 #include "ui/widgets/shown.h"
 #include "values/job.h"
@@ -28,9 +29,10 @@ namespace ui {
 [[nodiscard]] widgets::Word summaryWord(const values::Status &status);
 
 /// Text from the controller. It never throws and drops nothing: a byte that is no letter becomes ⟨8A⟩.
-[[nodiscard]] QString controllerText(QByteArrayView bytes);
+[[nodiscard]] QString controllerText(QByteArrayView bytes, protocol::Encoding encoding = protocol::Encoding::Latin1);
 
-[[nodiscard]] QString jobName(const values::ExecutingJob &job); ///< "—" while no job is selected.
+[[nodiscard]] QString jobName(
+    const values::ExecutingJob &job, protocol::Encoding encoding); ///< "—" while no job is selected.
 [[nodiscard]] QString jobPlace(const values::ExecutingJob &job); ///< "line 47 · step 12 · 80 %"
 [[nodiscard]] QString overrideText(const values::ExecutingJob &job); ///< "80 %", "12.5 %"
 

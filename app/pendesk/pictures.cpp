@@ -110,7 +110,8 @@ void Pictures::printStatus() const
         print(tr("Error"), ui::errorWord(*status).text);
     }
     if (const auto &job = state.job().value)
-        print(tr("Executing"), ui::jobName(*job) + QStringLiteral(", ") + ui::jobPlace(*job));
+        print(tr("Executing"),
+            ui::jobName(*job, m_window.controller().profile().encoding) + QStringLiteral(", ") + ui::jobPlace(*job));
     std::printf("%s\n", qUtf8Printable(tr("Pictures are in %1").arg(QDir(m_folder).absolutePath())));
 }
 

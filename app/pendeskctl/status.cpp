@@ -30,12 +30,12 @@ QString addressed(const settings::Profile &profile, const values::Error &error)
     return QStringLiteral("%1:%2: %3").arg(profile.host).arg(profile.port).arg(protocol::explain(error));
 }
 
-void printState(const RobotState &state, bool asJson)
+void printState(const RobotState &state, const protocol::TextCodec &codec, bool asJson)
 {
     if (asJson)
-        print(QString::fromUtf8(QJsonDocument {toJson(state)}.toJson(QJsonDocument::Indented)).trimmed());
+        print(QString::fromUtf8(QJsonDocument {toJson(state, codec)}.toJson(QJsonDocument::Indented)).trimmed());
     else
-        print(toLines(state).join(u'\n'));
+        print(toLines(state, codec).join(u'\n'));
 }
 
 } // namespace
@@ -77,7 +77,7 @@ int runStatus(const QStringList &arguments)
     controller.open();
     const int end = QCoreApplication::exec();
     if (end == Done)
-        printState(controller.state(), parser.isSet(QStringLiteral("json")));
+        printState(controller.state(), protocol::TextCodec {profile->encoding}, parser.isSet(QStringLiteral("json")));
     return end;
 }
 

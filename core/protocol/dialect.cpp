@@ -64,6 +64,17 @@ std::optional<IoArea> Dialect::ioArea(quint32 group) const
 
 InstanceRange Dialect::ioRange(IoArea area) const { return std::ranges::find(io, area, &IoRange::area)->groups; }
 
+std::optional<Model> modelOfSoftware(QByteArrayView version)
+{
+    constexpr std::array<std::pair<QByteArrayView, Model>, 3> beginnings {
+        {{"YAS", Model::YRC1000}, {"YBS", Model::YRC1000micro}, {"FS", Model::FS100}}};
+    for (const auto &[beginning, model] : beginnings) {
+        if (version.startsWith(beginning))
+            return model;
+    }
+    return std::nullopt;
+}
+
 const Dialect &dialect(Model model) { return *std::ranges::find(dialects, model, &Dialect::model); }
 
 const Dialect *findDialect(QStringView keyOrName)

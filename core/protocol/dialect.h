@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include <QByteArrayView>
 #include <QStringView>
 #include <array>
 #include <optional>
@@ -73,6 +74,10 @@ struct Dialect {
     [[nodiscard]] std::optional<IoArea> ioArea(quint32 group) const;
     [[nodiscard]] InstanceRange ioRange(IoArea area) const;
 };
+
+/// The model that a system software version tells ("YAS2.02.11A": a YRC1000); nullopt where the reference knows no
+/// such version (§0, §2).
+[[nodiscard]] std::optional<Model> modelOfSoftware(QByteArrayView version);
 
 [[nodiscard]] const Dialect &dialect(Model model);
 /// The dialect with this key or name, any case; nullptr if there is none.

@@ -27,8 +27,6 @@ constexpr std::array names {
 constexpr QChar opening {u'⟨'};
 constexpr QChar closing {u'⟩'};
 
-const char *nameOf(Encoding encoding) { return std::ranges::find(names, encoding, &EncodingName::encoding)->key; }
-
 bool isAscii(char byte) { return quint8(byte) < 0x80; }
 bool isAscii(QByteArrayView bytes)
 {
@@ -57,7 +55,7 @@ struct Character {
 class Scanner
 {
 public:
-    explicit Scanner(Encoding encoding) : m_decoder {nameOf(encoding)} { }
+    explicit Scanner(Encoding encoding) : m_decoder {encodingKey(encoding)} { }
 
     /// The character that `bytes`, which is not empty, begins with.
     Character next(QByteArrayView bytes)
@@ -109,10 +107,13 @@ QByteArray encodeCharacter(QStringEncoder &encoder, Scanner &scanner, QStringVie
 tl::unexpected<values::Error> cannotHold(QStringView character, Encoding encoding)
 {
     return values::failure(ErrorKind::BadInput,
-        QStringLiteral("%1 does not hold the character \"%2\"").arg(QLatin1StringView(nameOf(encoding)), character));
+        QStringLiteral("%1 does not hold the character \"%2\"")
+            .arg(QLatin1StringView(encodingKey(encoding)), character));
 }
 
 } // namespace
+
+const char *encodingKey(Encoding encoding) { return std::ranges::find(names, encoding, &EncodingName::encoding)->key; }
 
 std::span<const EncodingName> encodings() { return names; }
 
@@ -139,7 +140,7 @@ QString TextCodec::decode(QByteArrayView bytes) const
 
 Result<QByteArray> TextCodec::encode(QStringView text) const
 {
-    QStringEncoder encoder {nameOf(m_encoding)};
+    QStringEncoder encoder {encodingKey(m_encoding)};
     Scanner scanner {m_encoding};
     QByteArray bytes;
     while (!text.isEmpty()) {

@@ -20,6 +20,8 @@ struct EncodingName {
 
 /// All encodings, in the order of a menu.
 [[nodiscard]] std::span<const EncodingName> encodings();
+/// The key of an encoding.
+[[nodiscard]] const char *encodingKey(Encoding encoding);
 /// The encoding with this key, any case; nullopt if there is none.
 [[nodiscard]] std::optional<Encoding> findEncoding(QStringView key);
 

@@ -15,10 +15,9 @@ namespace {
 QString latin(QByteArrayView bytes) { return QString::fromLatin1(bytes); }
 
 /// The named fields of a value, as `pendeskctl decode` names them.
-template <typename Value> QJsonObject fieldsOf(const Value &value)
+template <typename Value> QJsonObject fieldsOf(const Value &value, const protocol::TextCodec &codec)
 {
     const QByteArray payload = protocol::encode(value);
-    const protocol::TextCodec codec;
     protocol::FieldReader reader {payload, 0, codec};
     Value copy = value;
     protocol::Layout<Value>::describe(reader, copy);
@@ -26,12 +25,6 @@ template <typename Value> QJsonObject fieldsOf(const Value &value)
     for (const protocol::Field &field : reader.fields())
         json[field.name] = field.value;
     return json;
-}
-
-template <typename Value> void insert(QJsonObject &json, const char *name, const Reading<Value> &reading)
-{
-    if (reading.value)
-        json[latin(name)] = fieldsOf(*reading.value);
 }
 
 QString axisText(qint32 word, AxisUnit unit)
@@ -55,10 +48,10 @@ QString axesLine(const values::Position &position, const Reading<AxisNames> &nam
     return parts.join(QStringLiteral("  "));
 }
 
-QString jobLine(const values::ExecutingJob &job)
+QString jobLine(const values::ExecutingJob &job, const protocol::TextCodec &codec)
 {
     return QStringLiteral("%1  line %2  step %3  override %4 %")
-        .arg(job.name.isEmpty() ? QStringLiteral("none") : latin(job.name.bytes()))
+        .arg(job.name.isEmpty() ? QStringLiteral("none") : codec.decode(job.name.bytes()))
         .arg(job.line)
         .arg(job.step)
         .arg(job.speedOverride / 100.0, 0, 'f', 2);
@@ -72,14 +65,14 @@ QString systemLine(const values::SystemInformation &system)
 
 } // namespace
 
-QStringList toLines(const RobotState &state)
+QStringList toLines(const RobotState &state, const protocol::TextCodec &codec)
 {
     QStringList lines;
     const auto add = [&](const char *name, const QString &text) { lines += latin(name).leftJustified(10) + text; };
     if (const auto &status = state.status().value)
         add("status", status->bitNames().join(QStringLiteral(", ")).replace(u'_', u' '));
     if (const auto &job = state.job().value)
-        add("job", jobLine(*job));
+        add("job", jobLine(*job, codec));
     if (const auto &position = state.basePosition().value)
         add("base", axesLine(*position, state.baseAxisNames()));
     if (const auto &position = state.pulsePosition().value)
@@ -89,16 +82,20 @@ QStringList toLines(const RobotState &state)
     return lines;
 }
 
-QJsonObject toJson(const RobotState &state)
+QJsonObject toJson(const RobotState &state, const protocol::TextCodec &codec)
 {
     QJsonObject json;
-    insert(json, "status", state.status());
-    insert(json, "job", state.job());
-    insert(json, "base_position", state.basePosition());
-    insert(json, "pulse_position", state.pulsePosition());
-    insert(json, "base_axes", state.baseAxisNames());
-    insert(json, "pulse_axes", state.pulseAxisNames());
-    insert(json, "system", state.systemInformation());
+    const auto insert = [&](const char *name, const auto &reading) {
+        if (reading.value)
+            json[latin(name)] = fieldsOf(*reading.value, codec);
+    };
+    insert("status", state.status());
+    insert("job", state.job());
+    insert("base_position", state.basePosition());
+    insert("pulse_position", state.pulsePosition());
+    insert("base_axes", state.baseAxisNames());
+    insert("pulse_axes", state.pulseAxisNames());
+    insert("system", state.systemInformation());
     return json;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "protocol/text.h"
 #include "robot/robotstate.h"
 #include <QJsonObject>
 #include <QStringList>
@@ -10,8 +11,8 @@ namespace robot {
 
 /// What was read from a controller, in words for a terminal: "name: value" lines, untranslated; what was not read is
 /// not there.
-[[nodiscard]] QStringList toLines(const RobotState &state);
+[[nodiscard]] QStringList toLines(const RobotState &state, const protocol::TextCodec &codec);
 /// The same as JSON, with the names and the units of `pendeskctl decode`.
-[[nodiscard]] QJsonObject toJson(const RobotState &state);
+[[nodiscard]] QJsonObject toJson(const RobotState &state, const protocol::TextCodec &codec);
 
 } // namespace robot

@@ -4,6 +4,7 @@
 
 #include "protocol/dialect.h"
 #include "protocol/packet.h"
+#include "protocol/text.h"
 #include <QString>
 #include <chrono>
 
@@ -16,6 +17,8 @@ struct Profile {
     quint16 port = protocol::robotPort; ///< UDP, robot control.
     quint16 filePort = protocol::filePort; ///< UDP, file control.
     protocol::Model model = protocol::Model::YRC1000;
+    protocol::Encoding encoding = protocol::Encoding::Latin1; ///< Of the pendant's language.
+    protocol::Numbering numbering = protocol::Numbering::FromZero; ///< Of variables (RS022).
     std::chrono::milliseconds readTimeout {300}; ///< One try of a read; 20 ms to 60 s.
     std::chrono::milliseconds fileTimeout {3000};
     std::chrono::milliseconds servoTimeout {8000};
@@ -25,6 +28,14 @@ struct Profile {
     bool isSimulation = false; ///< The embedded virtual controller: the window says SIMULATION.
 
     bool operator==(const Profile &) const = default;
+
+    /// The model's dialect, with this controller's numbering.
+    [[nodiscard]] protocol::Dialect dialect() const
+    {
+        protocol::Dialect result = protocol::dialect(model);
+        result.numbering = numbering;
+        return result;
+    }
 };
 
 } // namespace settings

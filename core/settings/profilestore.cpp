@@ -45,7 +45,9 @@ QString rangeSentence(const char *label, int least, int most)
 QJsonObject toJson(const Profile &profile)
 {
     QJsonObject json {{QStringLiteral("name"), profile.name}, {QStringLiteral("host"), profile.host},
-        {QStringLiteral("model"), QLatin1StringView(protocol::dialect(profile.model).key)}};
+        {QStringLiteral("model"), QLatin1StringView(protocol::dialect(profile.model).key)},
+        {QStringLiteral("encoding"), QLatin1StringView(protocol::encodingKey(profile.encoding))},
+        {QStringLiteral("numbering"), int(profile.numbering)}};
     describe([&](const char *key, const char *, int, int,
                  const auto &value) { json[QLatin1StringView(key)] = number(value); },
         profile);
@@ -63,6 +65,15 @@ values::Result<Profile> profileFromJson(const QJsonObject &json)
         profile.model = dialect->model;
     else
         return values::failure(ErrorKind::BadInput, tr("The model “%1” is not known.").arg(model));
+    const QString encoding = json.value(u"encoding").toString();
+    if (const auto found = protocol::findEncoding(encoding))
+        profile.encoding = *found;
+    else
+        return values::failure(ErrorKind::BadInput, tr("The text encoding “%1” is not known.").arg(encoding));
+    const int numbering = json.value(u"numbering").toInt(-1);
+    if (numbering != 0 && numbering != 1)
+        return values::failure(ErrorKind::BadInput, tr("The variable numbering must be 0 or 1."));
+    profile.numbering = protocol::Numbering(numbering);
     QString trouble;
     describe(
         [&](const char *key, const char *label, int least, int most, auto &value) {

@@ -139,9 +139,9 @@ void TestStatusWords::numbers()
 void TestStatusWords::job()
 {
     values::ExecutingJob job;
-    QCOMPARE(ui::jobName(job), QStringLiteral("—"));
+    QCOMPARE(ui::jobName(job, protocol::Encoding::Latin1), QStringLiteral("—"));
     job = {values::JobName {"WELD_A12"}, 47, 12, 8000};
-    QCOMPARE(ui::jobName(job), QStringLiteral("WELD_A12"));
+    QCOMPARE(ui::jobName(job, protocol::Encoding::Latin1), QStringLiteral("WELD_A12"));
     QCOMPARE(ui::jobPlace(job), QStringLiteral("line 47 · step 12 · 80 %"));
     job.speedOverride = 1250;
     QCOMPARE(ui::overrideText(job), QStringLiteral("12.5 %"));

@@ -27,17 +27,21 @@ QLineEdit *lineEdit(const char *name, const QString &accessibleName)
 ProfileForm::ProfileForm(QWidget *parent)
     : QWidget(parent),
       m_name {lineEdit("profileName", tr("Name"))},
-      m_host {lineEdit("profileHost", tr("Host name or address"))},
-      m_model {new QComboBox}
+      m_host {lineEdit("profileHost", tr("Host name or address"))}
 {
     auto *form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Name"), m_name);
     form->addRow(tr("Host name or address"), m_host);
-    form->addRow(tr("Model"), m_model);
-    m_model->setObjectName(QStringLiteral("profileModel"));
+    m_model = addChoice(form, "profileModel", tr("Model"));
     for (const auto model : protocol::allModels)
         m_model->addItem(QLatin1String(protocol::dialect(model).name), int(model));
+    m_encoding = addChoice(form, "profileEncoding", tr("Text encoding"));
+    for (const auto &encoding : protocol::encodings())
+        m_encoding->addItem(QLatin1String(encoding.key), int(encoding.encoding));
+    m_numbering = addChoice(form, "profileNumbering", tr("Variable numbering"));
+    m_numbering->addItem(tr("B000 is number 0 on the wire"), int(protocol::Numbering::FromZero));
+    m_numbering->addItem(tr("B000 is number 1 on the wire"), int(protocol::Numbering::FromOne));
     m_port = addNumber(form, "profilePort", tr("Port"), 1, 65535);
     m_filePort = addNumber(form, "profileFilePort", tr("File port"), 1, 65535);
     m_readTimeout = addNumber(form, "profileReadTimeout", tr("Read time-out"), 20, 60000, tr(" ms"));
@@ -52,10 +56,21 @@ ProfileForm::ProfileForm(QWidget *parent)
     };
     connect(m_name, &QLineEdit::textChanged, this, tell);
     connect(m_host, &QLineEdit::textChanged, this, tell);
-    connect(m_model, &QComboBox::currentIndexChanged, this, tell);
+    const auto choices = findChildren<QComboBox *>();
+    for (const QComboBox *choice : choices)
+        connect(choice, &QComboBox::currentIndexChanged, this, tell);
     const auto numbers = findChildren<QSpinBox *>();
     for (const QSpinBox *number : numbers)
         connect(number, &QSpinBox::valueChanged, this, tell);
+}
+
+QComboBox *ProfileForm::addChoice(QFormLayout *form, const char *name, const QString &label)
+{
+    auto *box = new QComboBox;
+    box->setObjectName(QLatin1String(name));
+    box->setAccessibleName(label);
+    form->addRow(label, box);
+    return box;
 }
 
 QSpinBox *ProfileForm::addNumber(
@@ -77,6 +92,8 @@ void ProfileForm::setProfile(const settings::Profile &profile)
     m_name->setText(profile.name);
     m_host->setText(profile.host);
     m_model->setCurrentIndex(m_model->findData(int(profile.model)));
+    m_encoding->setCurrentIndex(m_encoding->findData(int(profile.encoding)));
+    m_numbering->setCurrentIndex(m_numbering->findData(int(profile.numbering)));
     m_port->setValue(profile.port);
     m_filePort->setValue(profile.filePort);
     m_readTimeout->setValue(int(profile.readTimeout.count()));
@@ -94,6 +111,8 @@ settings::Profile ProfileForm::profile() const
     profile.name = m_name->text().trimmed();
     profile.host = m_host->text().trimmed();
     profile.model = protocol::Model(m_model->currentData().toInt());
+    profile.encoding = protocol::Encoding(m_encoding->currentData().toInt());
+    profile.numbering = protocol::Numbering(m_numbering->currentData().toInt());
     profile.port = quint16(m_port->value());
     profile.filePort = quint16(m_filePort->value());
     profile.readTimeout = milliseconds {m_readTimeout->value()};

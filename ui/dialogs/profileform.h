@@ -28,12 +28,15 @@ Q_SIGNALS:
     void edited();
 
 private:
+    [[nodiscard]] QComboBox *addChoice(QFormLayout *form, const char *name, const QString &label);
     [[nodiscard]] QSpinBox *addNumber(
         QFormLayout *form, const char *name, const QString &label, int least, int most, const QString &suffix = {});
 
     QLineEdit *m_name;
     QLineEdit *m_host;
     QComboBox *m_model;
+    QComboBox *m_encoding;
+    QComboBox *m_numbering;
     QSpinBox *m_port;
     QSpinBox *m_filePort;
     QSpinBox *m_readTimeout;

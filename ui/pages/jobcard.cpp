@@ -12,15 +12,18 @@ namespace pages {
 
 namespace {
 
+using protocol::Encoding;
 using values::ExecutingJob;
 
-QString line(const ExecutingJob &job) { return QLocale().toString(job.line); }
-QString step(const ExecutingJob &job) { return QLocale().toString(job.step); }
+QString line(const ExecutingJob &job, Encoding) { return QLocale().toString(job.line); }
+QString step(const ExecutingJob &job, Encoding) { return QLocale().toString(job.step); }
+
+QString speedOverride(const ExecutingJob &job, Encoding) { return ui::overrideText(job); }
 
 struct Field {
     const char *name;
     const char *title;
-    QString (*text)(const ExecutingJob &);
+    QString (*text)(const ExecutingJob &, Encoding);
     int stretch;
 };
 
@@ -29,13 +32,14 @@ constexpr Field fields[] {
     {"job", TITLE("Job"), ui::jobName, 4},
     {"line", TITLE("Line"), line, 1},
     {"step", TITLE("Step"), step, 1},
-    {"override", TITLE("Speed override"), ui::overrideText, 2},
+    {"override", TITLE("Speed override"), speedOverride, 2},
 };
 #undef TITLE
 
 } // namespace
 
-JobCard::JobCard(const robot::RobotState &state, QWidget *parent) : Card(tr("Executing"), parent), m_state {state}
+JobCard::JobCard(const robot::RobotState &state, protocol::Encoding encoding, QWidget *parent)
+    : Card(tr("Executing"), parent), m_state {state}, m_encoding {encoding}
 {
     setNote(tr("master task"));
     auto *row = new QHBoxLayout;
@@ -59,7 +63,8 @@ void JobCard::onChanged(robot::Topic topic)
         return;
     const auto freshness = m_state.freshness(topic);
     for (qsizetype i = 0; i < m_fields.size(); ++i) {
-        const auto word = [i](const ExecutingJob &job) { return widgets::Word {fields[i].text(job)}; };
+        const auto word = [this, i](
+                              const ExecutingJob &job) { return widgets::Word {fields[i].text(job, m_encoding)}; };
         m_fields[i]->show(widgets::shown(m_state.job(), freshness, word));
     }
     setReason(freshness == robot::Freshness::Refused ? m_fields.front()->value()->shown().note : QString());

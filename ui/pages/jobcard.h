@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "protocol/text.h"
 #include "robot/robotstate.h"
 #include "ui/widgets/card.h"
 
@@ -17,12 +18,13 @@ class JobCard : public widgets::Card
     Q_OBJECT
 
 public:
-    explicit JobCard(const robot::RobotState &state, QWidget *parent = nullptr);
+    JobCard(const robot::RobotState &state, protocol::Encoding encoding, QWidget *parent = nullptr);
 
 private:
     void onChanged(robot::Topic topic);
 
     const robot::RobotState &m_state;
+    protocol::Encoding m_encoding;
     QList<widgets::StateField *> m_fields;
 };
 

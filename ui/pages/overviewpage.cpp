@@ -37,9 +37,9 @@ OverviewPage::OverviewPage(const Context &context, QWidget *parent)
     m_board->add(new StateCard(context.state));
     m_board->add(new PositionCard(context.state));
     m_board->add(m_optionsCard);
-    m_board->add(new JobCard(context.state));
+    m_board->add(new JobCard(context.state, context.profile.encoding));
     m_board->add(m_linkCard);
-    m_board->add(new SystemCard(context.state));
+    m_board->add(new SystemCard(context.state, context.profile.model));
     m_board->setObjectName(QStringLiteral("overviewBoard"));
     auto *panel = new NotConnectedPanel(context);
     panel->setObjectName(QStringLiteral("notConnected"));

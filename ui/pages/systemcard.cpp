@@ -20,8 +20,8 @@ widgets::Word parameters(const SystemInformation &system) { return {ui::controll
 
 } // namespace
 
-SystemCard::SystemCard(const robot::RobotState &state, QWidget *parent)
-    : Card(tr("System"), parent), m_state {state}, m_rows {new widgets::Rows(Qt::AlignLeft)}
+SystemCard::SystemCard(const robot::RobotState &state, protocol::Model expected, QWidget *parent)
+    : Card(tr("System"), parent), m_state {state}, m_expected {expected}, m_rows {new widgets::Rows(Qt::AlignLeft)}
 {
     m_rows->add(QStringLiteral("model"), tr("Model"));
     m_rows->add(QStringLiteral("software"), tr("Software"));
@@ -45,8 +45,19 @@ void SystemCard::onChanged(robot::Topic topic)
     int row = 0;
     for (const auto word : {model, software, parameters})
         m_rows->show(row++, widgets::shown(m_state.systemInformation(), freshness, word));
-    const auto &refusal = m_state.systemInformation().refusal;
-    setReason(freshness == robot::Freshness::Refused && refusal ? widgets::refused(*refusal).note : QString());
+    setReason(reason());
+}
+
+QString SystemCard::reason() const
+{
+    const auto &reading = m_state.systemInformation();
+    if (reading.refusal)
+        return widgets::refused(*reading.refusal).note;
+    const auto told = reading.value ? protocol::modelOfSoftware(reading.value->software.bytes()) : std::nullopt;
+    if (!told || *told == m_expected)
+        return {};
+    return tr("The profile says %1, but this is the software of a %2: correct the profile.")
+        .arg(QLatin1String(protocol::dialect(m_expected).name), QLatin1String(protocol::dialect(*told).name));
 }
 
 void SystemCard::copy() const { QGuiApplication::clipboard()->setText(m_rows->toText()); }

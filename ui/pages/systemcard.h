@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "protocol/dialect.h"
 #include "robot/robotstate.h"
 #include "ui/widgets/card.h"
 
@@ -17,13 +18,16 @@ class SystemCard : public widgets::Card
     Q_OBJECT
 
 public:
-    explicit SystemCard(const robot::RobotState &state, QWidget *parent = nullptr);
+    SystemCard(const robot::RobotState &state, protocol::Model expected, QWidget *parent = nullptr);
 
 private:
     void onChanged(robot::Topic topic);
     void copy() const;
+    /// Why the card needs attention: a refusal, or another model than the profile says. Empty: it does not.
+    [[nodiscard]] QString reason() const;
 
     const robot::RobotState &m_state;
+    protocol::Model m_expected;
     widgets::Rows *m_rows;
 };
 

@@ -24,6 +24,8 @@ private Q_SLOTS:
     void writable();
     void effects_data();
     void effects();
+    void modelOfSoftware_data();
+    void modelOfSoftware();
 };
 
 namespace {
@@ -272,6 +274,25 @@ void CatalogTest::effects()
 {
     QFETCH(Request, request);
     QTEST(effectOf(request), "effect");
+}
+
+void CatalogTest::modelOfSoftware_data()
+{
+    QTest::addColumn<QByteArray>("version");
+    QTest::addColumn<std::optional<Model>>("model");
+    // reference §0 (a recording of a YRC1000) and §2 (first versions with a command)
+    QTest::newRow("YRC1000") << QByteArray {"YAS2.02.11A(JP/EN)-97"} << std::optional {Model::YRC1000};
+    QTest::newRow("YRC1000micro") << QByteArray {"YBS3.10-00"} << std::optional {Model::YRC1000micro};
+    QTest::newRow("FS100") << QByteArray {"FS1.14"} << std::optional {Model::FS100};
+    QTest::newRow("unknown") << QByteArray {"PENDESK VIRTUAL 1.00-00"} << std::optional<Model> {};
+    QTest::newRow("empty") << QByteArray {} << std::optional<Model> {};
+}
+
+void CatalogTest::modelOfSoftware()
+{
+    QFETCH(QByteArray, version);
+    QFETCH(std::optional<Model>, model);
+    QVERIFY(protocol::modelOfSoftware(version) == model);
 }
 
 QTEST_APPLESS_MAIN(CatalogTest)

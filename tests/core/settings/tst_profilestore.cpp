@@ -19,6 +19,8 @@ Profile weldCell()
     profile.model = protocol::Model::FS100;
     profile.readTimeout = 450ms;
     profile.window = 4;
+    profile.encoding = protocol::Encoding::ShiftJis;
+    profile.numbering = protocol::Numbering::FromOne;
     return profile;
 }
 
@@ -71,6 +73,8 @@ private Q_SLOTS:
         QTest::newRow("no name") << QStringLiteral("name") << QJsonValue(QString());
         QTest::newRow("blank host") << QStringLiteral("host") << QJsonValue(QStringLiteral("  "));
         QTest::newRow("unknown model") << QStringLiteral("model") << QJsonValue(QStringLiteral("NX100"));
+        QTest::newRow("unknown encoding") << QStringLiteral("encoding") << QJsonValue(QStringLiteral("EBCDIC"));
+        QTest::newRow("numbering 2") << QStringLiteral("numbering") << QJsonValue(2);
         QTest::newRow("port 0") << QStringLiteral("port") << QJsonValue(0);
         QTest::newRow("port 65536") << QStringLiteral("port") << QJsonValue(65536);
         QTest::newRow("port in words") << QStringLiteral("port") << QJsonValue(QStringLiteral("10040"));

@@ -72,7 +72,10 @@ void fill(RobotState &state, int axes = 6)
 
 /// A page on a state that the test fills.
 struct Desk {
-    Desk() { page.showLink({LinkState::Monitoring, {}, {}, 0, {}, {}}); }
+    explicit Desk(const settings::Profile &own = {}) : profile {own}
+    {
+        page.showLink({LinkState::Monitoring, {}, {}, 0, {}, {}});
+    }
 
     [[nodiscard]] ValueLabel *value(const char *name) const
     {
@@ -128,6 +131,8 @@ private Q_SLOTS:
     void staleAfterTheLinkIsLost();
     void refusedSaysWhy();
     void contradictoryBitsAreShownAsReceived();
+    void jobNamesInThePendantsEncoding();
+    void anotherModelThanTheProfileSays();
     void layers();
     void reflows_data();
     void reflows();
@@ -223,6 +228,33 @@ void TestOverviewPage::contradictoryBitsAreShownAsReceived()
     QCOMPARE(desk.word("mode"), QStringLiteral("TEACH + PLAY"));
     QVERIFY(desk.value("mode")->shown().word.lamp == widgets::Lamp::Warning);
     QCOMPARE(desk.word("cycle"), QStringLiteral("NO CYCLE"));
+}
+
+void TestOverviewPage::jobNamesInThePendantsEncoding()
+{
+    settings::Profile profile;
+    profile.encoding = protocol::Encoding::ShiftJis;
+    Desk desk {profile};
+    fill(desk.state);
+    desk.state.takeJob({values::JobName {"\x97\x6E\x90\xDA"}, 0, 0, 10000}, start);
+    QCOMPARE(desk.word("job"), QStringLiteral("溶接"));
+}
+
+void TestOverviewPage::anotherModelThanTheProfileSays()
+{
+    settings::Profile profile;
+    profile.model = protocol::Model::FS100;
+    Desk desk {profile};
+    const auto complains = [&desk] {
+        const auto labels = desk.page.findChildren<QLabel *>();
+        return std::ranges::any_of(labels, [](const QLabel *label) {
+            return label->text()
+                == u"The profile says FS100, but this is the software of a YRC1000: correct the profile.";
+        });
+    };
+    QVERIFY(!complains());
+    fill(desk.state);
+    QVERIFY(complains());
 }
 
 void TestOverviewPage::layers()
