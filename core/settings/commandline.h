@@ -11,8 +11,8 @@ namespace settings {
 /// The options by which every program is told its controller: --host, --port, --file-port, --profile, --timeout.
 void addConnectionOptions(QCommandLineParser &parser);
 
-/// The controller that the parsed options name; nullopt if they name none. BadInput with a whole, translated sentence if
-/// they cannot be followed.
+/// The controller that the parsed options name; nullopt if they name none. BadInput with a whole, translated sentence
+/// if they cannot be followed.
 [[nodiscard]] values::Result<std::optional<Profile>> namedController(
     const QCommandLineParser &parser, const ProfileStore &store);
 
