@@ -6,8 +6,10 @@
 #include "protocol/decoder.h"
 #include "protocol/fileblocks.h"
 #include "protocol/requests.h"
+#include "virtualcontroller/filestore.h"
 
 using namespace protocol;
+using namespace values;
 
 namespace fuzz {
 
@@ -36,6 +38,8 @@ public:
         m_rest = m_rest.sliced(taken.size());
         return taken;
     }
+    /// One of several things.
+    const auto &choose(const auto &things) { return things[byte() % things.size()]; }
     [[nodiscard]] QByteArrayView rest() const { return m_rest; }
 
 private:
@@ -53,15 +57,163 @@ template <typename Value> void survivesRoundTrip(QByteArrayView payload, int ele
     require(payload.first(common) == QByteArrayView {encoded}.first(common), "a value encodes to other bytes");
 }
 
-template <typename... Values> void surviveRoundTrips(QByteArrayView payload, int element)
+template <typename Item> void survivesPluralRoundTrip(QByteArrayView payload, int count)
 {
-    (survivesRoundTrip<Values>(payload, element), ...);
+    if (const auto items = decodePlural<Item>(payload, quint32(count)))
+        require(encodePlural(quint32(count), *items) == payload, "items encode to other bytes");
 }
 
-template <typename Item> void survivesPluralRoundTrip(QByteArrayView payload, quint32 count)
+/// The second parameter is the element of a single-element service, or the count of a plural one.
+using RoundTrip = void (*)(QByteArrayView payload, int);
+
+template <typename... Values>
+constexpr std::array<RoundTrip, sizeof...(Values)> roundTrips {survivesRoundTrip<Values>...};
+template <typename... Items>
+constexpr std::array<RoundTrip, sizeof...(Items)> pluralRoundTrips {survivesPluralRoundTrip<Items>...};
+
+constexpr auto valueRoundTrips =
+    roundTrips<Alarm, AlarmWithTexts, Status, ExecutingJob, AxisNames, Position, FollowingError, Torque, ManagementTime,
+        SystemInformation, EncoderTemperatures, ConverterTemperature, IoGroup, Register, ByteVariable, IntegerVariable,
+        DoubleVariable, RealVariable, StringVariable16, StringVariable32, PositionVariable, BasePosition,
+        ExternalPosition, ControlWord, CycleSelection, PendantText, JobSelection, CartesianTarget, PulseTarget>;
+constexpr auto itemRoundTrips = pluralRoundTrips<IoGroup, Register, ByteVariable, IntegerVariable, DoubleVariable,
+    RealVariable, StringVariable16, StringVariable32, PositionVariable, BasePosition, ExternalPosition>;
+
+/// What can be said of a request by its address and its size.
+void judges(const Request &request, const Dialect &dialect)
 {
-    if (const auto items = decodePlural<Item>(payload, count))
-        require(encodePlural(count, *items) == payload, "items encode to other bytes");
+    const Command *command = findCommand(request.command);
+    const quint16 fault = addressFault(request, dialect);
+    require(fault || command->hasInstance(request.instance, dialect), "an instance that is not there was let through");
+    require(requestPayload(request.service) != PayloadKind::Empty || effectOf(request) == Effect::Reads,
+        "a request without a payload does not just read");
+}
+
+/// Blocks as a controller might send them: two bytes choose the number and the mark, one the size.
+void collectsBlocks(Source &source)
+{
+    BlockCollector collector;
+    QByteArray taken;
+    while (!source.rest().isEmpty()) {
+        const quint32 last = source.byte() & 1 ? lastBlock : 0;
+        const quint32 number = source.byte() % 8;
+        const auto content = source.take(source.byte());
+        const auto step = collector.take(
+            {{Division::File, true, 1, number | last}, replyService(Service::ListFiles), 0, 0, 0, content});
+        if (step && *step != BlockCollector::Step::Repeated)
+            taken += content;
+        require(!step || *step == BlockCollector::Step::Repeated || collector.isComplete() == (last != 0),
+            "the last block is not the last one");
+    }
+    require(collector.content() == taken, "blocks were lost");
+}
+
+/// A file cut into blocks of a size that one byte chooses.
+void loadsBlocks(Source &source)
+{
+    const qsizetype size = 16 + source.byte();
+    const auto content = source.rest();
+    const quint32 count = blockCount(content, size);
+    QByteArray joined;
+    for (quint32 index = 1; index <= count; ++index) {
+        const QByteArray datagram = encodeLoadBlock(content, index, 1, size);
+        const auto block = parseClientPacket(datagram);
+        require(block && block->framing.block == blockNumber(index, count), "a block is no packet");
+        joined += block->payload;
+    }
+    require(joined == content, "a load changed its content");
+}
+
+/// A name out of a list names one file in one folder, and can be asked for.
+void isPlainName(const FileName &name)
+{
+    const auto again = FileName::create(name.bytes());
+    require(again && *again == name && !name.bytes().contains('/'), "a listed name is none");
+    const QByteArray datagram = encodeFileRequest(saveFile(name), 1);
+    const auto request = parseClientPacket(datagram);
+    require(request && request->payload == name.bytes(), "a name cannot be asked for");
+}
+
+/// Each line that is not empty is the next name or the next rejected one.
+bool isMadeOf(QByteArrayView content, const FileList &list)
+{
+    qsizetype names = 0;
+    qsizetype rejected = 0;
+    while (!content.isEmpty()) {
+        const qsizetype found = content.indexOf("\r\n");
+        const auto line = found < 0 ? content : content.first(found);
+        content = found < 0 ? QByteArrayView {} : content.sliced(found + 2);
+        if (line.isEmpty())
+            continue;
+        if (names < list.names.size() && list.names[names].bytes() == line)
+            ++names;
+        else if (rejected < list.rejected.size() && list.rejected[rejected] == line)
+            ++rejected;
+        else
+            return false;
+    }
+    return names == list.names.size() && rejected == list.rejected.size();
+}
+
+/// A text with the mark of a byte: on its way out that byte may join with what follows it.
+bool hasMarks(const QString &text) { return text.contains(u'\u27E8'); }
+
+/// Bytes become a text, and that becomes bytes that mean the same.
+void comesBack(const TextCodec &codec, QByteArrayView bytes)
+{
+    const QString decoded = codec.decode(bytes);
+    require(decoded.isEmpty() == bytes.isEmpty(), "a text was dropped");
+    const auto encoded = codec.encode(decoded);
+    require(encoded.has_value(), "a text that came cannot be sent");
+    require(hasMarks(decoded) || codec.decode(*encoded) == decoded, "a text changed on the way back");
+}
+
+void isFitted(const TextCodec &codec, QByteArrayView bytes, qsizetype size)
+{
+    const auto fitted = codec.fit(bytes, size);
+    require(fitted.size() <= size && bytes.startsWith(fitted), "fit() is no start of the text");
+    require(codec.decode(bytes).startsWith(codec.decode(fitted)), "fit() cut a character");
+}
+
+/// A typed text becomes bytes that mean the same, or none.
+void goesOut(const TextCodec &codec, const QString &typed)
+{
+    if (const auto encoded = codec.encode(typed))
+        require(hasMarks(typed) || codec.decode(*encoded) == typed, "a text changed on the way out");
+}
+
+/// What is read as a job is one: a name, NOP first, END last, and labels on lines of it.
+void isRead(const QByteArray &job)
+{
+    using namespace virtualcontroller;
+    const auto program = parseProgram(job);
+    if (!program) {
+        require(program.error() != 0, "a refusal without a reason");
+        return;
+    }
+    const auto &lines = program->lines;
+    const int count = int(lines.size());
+    require(isJobName(program->name), "a job without a name");
+    require(count >= 2 && lines.front().word() == "NOP" && lines.back().word() == "END", "a job without NOP and END");
+    require(std::ranges::all_of(program->labels, [&](const auto &label) { return lines[label.second].isLabel(); }),
+        "a label is elsewhere");
+    require(program->stepAt(count) == program->stepAt(count - 1) && program->stepAt(count) <= count, "too many steps");
+}
+
+/// A running controller refuses a file or has it afterwards, and nothing else has changed.
+void isLoaded(QByteArrayView file)
+{
+    using namespace virtualcontroller;
+    static const Memory original = Memory::demo();
+    static Memory memory = original;
+    const qsizetype end = std::max<qsizetype>(file.indexOf('\n'), 0);
+    const QByteArray name = file.first(end).toByteArray();
+    const QByteArray contents = file.sliced(std::min(end + 1, file.size())).toByteArray();
+    if (filestore::loadRefusal(memory, name) || filestore::load(memory, name, contents))
+        return require(memory.files.size() == original.files.size(), "a refused file was kept");
+    const auto kept = std::ranges::count_if(memory.files, [&](const auto &entry) { return entry.second == contents; });
+    require(kept >= 1 && memory.files.size() <= original.files.size() + 1, "a file was lost");
+    memory.files = original.files;
 }
 
 } // namespace
@@ -91,74 +243,63 @@ void packet(QByteArrayView data)
 
 void payload(QByteArrayView data)
 {
+    static const TextCodec codec {Encoding::ShiftJis};
     Source source {data};
-    const auto rows = commands();
-    const Command &command = rows[source.byte() % rows.size()];
-    const Service service = command.services[source.byte() % command.services.size()];
+    const quint8 chosen = source.byte();
+    const quint8 service = source.byte();
     const quint8 attribute = source.byte();
+    const auto instance = quint16(source.byte() | source.byte() << 8);
+    const quint8 trial = source.byte();
     const auto bytes = source.rest();
-    const Request request {command.number, 1, attribute, service, bytes.toByteArray()};
-    const TextCodec codec {Encoding::ShiftJis};
-    (void)requestFields(request, codec);
-    (void)replyFields(request, bytes, codec);
-    (void)effectOf(request);
-    for (const Model model : allModels)
-        (void)addressFault(request, dialect(model));
-    using namespace values;
-    const int element = attribute % 16;
-    surviveRoundTrips<Alarm, AlarmWithTexts, Status, ExecutingJob, AxisNames, Position, FollowingError, Torque,
-        ManagementTime, SystemInformation, EncoderTemperatures, ConverterTemperature>(bytes, element);
-    surviveRoundTrips<IoGroup, Register, ByteVariable, IntegerVariable, DoubleVariable, RealVariable, StringVariable16,
-        StringVariable32, PositionVariable, BasePosition, ExternalPosition>(bytes, element);
-    surviveRoundTrips<ControlWord, CycleSelection, PendantText, JobSelection, CartesianTarget, PulseTarget>(
-        bytes, element);
-    survivesPluralRoundTrip<Register>(bytes, attribute);
-    survivesPluralRoundTrip<StringVariable16>(bytes, attribute);
-    survivesPluralRoundTrip<PositionVariable>(bytes, attribute);
+    const Command &command = commands()[chosen % commands().size()];
+    const Request request {
+        command.number, instance, attribute, command.services[service % command.services.size()], bytes.toByteArray()};
+    switch (trial % 5) {
+    case 0: (void)requestFields(request, codec); break;
+    case 1: (void)replyFields(request, bytes, codec); break;
+    case 2: judges(request, dialect(allModels[service % allModels.size()])); break;
+    case 3: valueRoundTrips[chosen % valueRoundTrips.size()](bytes, attribute % 16); break;
+    default: itemRoundTrips[chosen % itemRoundTrips.size()](bytes, attribute);
+    }
 }
 
 void fileBlocks(QByteArrayView data)
 {
     Source source {data};
-    BlockCollector collector;
-    QByteArray taken;
-    while (!source.rest().isEmpty()) {
-        const quint32 last = source.byte() & 1 ? lastBlock : 0;
-        const quint32 number = source.byte() % 8;
-        const auto content = source.take(source.byte());
-        const auto step = collector.take(
-            {{Division::File, true, 1, number | last}, replyService(Service::ListFiles), 0, 0, 0, content});
-        if (step && *step != BlockCollector::Step::Repeated)
-            taken += content;
-    }
-    require(collector.content() == taken, "blocks were lost");
+    if (source.byte() % 2)
+        collectsBlocks(source);
+    else
+        loadsBlocks(source);
+}
+
+void fileList(QByteArrayView data)
+{
     const FileList list = parseFileList(data.toByteArray());
-    for (const auto &name : list.names) {
-        const auto again = values::FileName::create(name.bytes());
-        require(again && *again == name && !name.bytes().contains('/'), "a listed name is none");
-        require(!encodeFileRequest(saveFile(name), 1).isEmpty(), "a name cannot be asked for");
-    }
-    QByteArray joined;
-    for (quint32 index = 1; index <= blockCount(data); ++index)
-        joined += encodeLoadBlock(data, index, 1).sliced(headerSize);
-    require(joined == data, "a load changed its content");
+    for (const auto &name : list.names)
+        isPlainName(name);
+    require(isMadeOf(data, list), "lines of a list were lost or made up");
 }
 
 void text(QByteArrayView data)
 {
     Source source {data};
-    const auto all = encodings();
-    const TextCodec codec {all[source.byte() % all.size()].encoding};
+    const TextCodec codec {source.choose(encodings()).encoding};
+    const quint8 direction = source.byte();
     const qsizetype size = source.byte();
-    const auto bytes = source.rest();
-    const QString decoded = codec.decode(bytes);
-    require(decoded.isEmpty() == bytes.isEmpty(), "a text was dropped");
-    const auto fitted = codec.fit(bytes, size);
-    require(fitted.size() <= size && bytes.startsWith(fitted), "fit() is no start of the text");
-    require(decoded.startsWith(codec.decode(fitted)), "fit() cut a character");
-    if (const auto encoded = codec.encode(decoded))
-        require(*codec.byteCount(decoded) == encoded->size(), "the byte counter is wrong");
-    (void)codec.encode(QString::fromUtf8(bytes));
+    switch (direction % 3) {
+    case 0: comesBack(codec, source.rest()); break;
+    case 1: isFitted(codec, source.rest(), size); break;
+    default: goesOut(codec, QString::fromUtf8(source.rest()));
+    }
+}
+
+void inform(QByteArrayView data)
+{
+    Source source {data};
+    if (source.byte() % 2)
+        isLoaded(source.rest());
+    else
+        isRead(source.rest().toByteArray());
 }
 
 } // namespace fuzz

@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "support/fuzztargets.h"
 #include "support/golden.h"
+#include "virtualcontroller/memory.h"
 #include <QTest>
 #include <random>
 
-/// Golden packets with a few bytes changed never upset anything. The seed is fixed: every run is the same.
+/// Golden packets and jobs with a few bytes changed never upset anything. The seed is fixed: every run is the same.
 class MutationsTest : public QObject
 {
     Q_OBJECT
@@ -18,18 +19,19 @@ private Q_SLOTS:
 namespace {
 
 using Target = void (*)(QByteArrayView);
+using Seeds = QList<QByteArray>;
 constexpr int executions = 50000;
-constexpr qsizetype headerToDrop = 29; ///< Leaves a few bytes before the payload to choose with.
+constexpr qsizetype headerToDrop = 26; ///< Leaves a few bytes before the payload to choose with.
 
 class Mutator
 {
 public:
-    /// A golden packet, whole or from its last header bytes on, with up to eight changes.
-    QByteArray next(bool isWhole)
+    explicit Mutator(const Seeds &seeds) : m_seeds {seeds} { }
+
+    /// A seed with up to eight changes.
+    QByteArray next()
     {
         QByteArray bytes = m_seeds[below(m_seeds.size())];
-        if (!isWhole)
-            bytes = bytes.mid(headerToDrop);
         for (auto changes = below(8); changes > 0; --changes)
             change(bytes);
         return bytes;
@@ -51,21 +53,41 @@ private:
         }
     }
 
-    static QList<QByteArray> seeds()
-    {
-        QList<QByteArray> packets {QByteArray {}};
-        for (const auto &exchange : golden::exchanges()) {
-            for (const auto &packet : exchange.packets)
-                packets += packet.bytes;
-        }
-        for (const auto &row : golden::refused())
-            packets += row.bytes;
-        return packets;
-    }
-
-    QList<QByteArray> m_seeds = seeds();
+    Seeds m_seeds;
     std::mt19937 m_random {20240229};
 };
+
+Seeds packets()
+{
+    Seeds packets {QByteArray {}};
+    for (const auto &exchange : golden::exchanges()) {
+        for (const auto &packet : exchange.packets)
+            packets += packet.bytes;
+    }
+    for (const auto &row : golden::refused())
+        packets += row.bytes;
+    return packets;
+}
+
+/// Payloads and what is left of their headers.
+Seeds payloads()
+{
+    Seeds payloads = packets();
+    for (QByteArray &packet : payloads)
+        packet.remove(0, headerToDrop);
+    return payloads;
+}
+
+/// The jobs of the demo, once to be read and once to be loaded.
+Seeds jobs()
+{
+    Seeds jobs;
+    for (const auto &[name, contents] : virtualcontroller::Memory {}.files) {
+        if (name.endsWith(".JBI"))
+            jobs += {'\0' + contents, '\1' + name + '\n' + contents};
+    }
+    return jobs;
+}
 
 } // namespace
 
@@ -74,20 +96,22 @@ Q_DECLARE_METATYPE(Target)
 void MutationsTest::nothingBreaks_data()
 {
     QTest::addColumn<Target>("target");
-    QTest::addColumn<bool>("isWhole");
-    QTest::newRow("packet") << Target {fuzz::packet} << true;
-    QTest::newRow("payload") << Target {fuzz::payload} << false;
-    QTest::newRow("file blocks") << Target {fuzz::fileBlocks} << false;
-    QTest::newRow("text") << Target {fuzz::text} << false;
+    QTest::addColumn<Seeds>("seeds");
+    QTest::newRow("packet") << Target {fuzz::packet} << packets();
+    QTest::newRow("payload") << Target {fuzz::payload} << payloads();
+    QTest::newRow("file blocks") << Target {fuzz::fileBlocks} << payloads();
+    QTest::newRow("file list") << Target {fuzz::fileList} << payloads();
+    QTest::newRow("text") << Target {fuzz::text} << payloads();
+    QTest::newRow("INFORM") << Target {fuzz::inform} << jobs();
 }
 
 void MutationsTest::nothingBreaks()
 {
     QFETCH(Target, target);
-    QFETCH(bool, isWhole);
-    Mutator mutator;
+    QFETCH(Seeds, seeds);
+    Mutator mutator {seeds};
     for (int execution = 0; execution < executions; ++execution)
-        target(mutator.next(isWhole));
+        target(mutator.next());
 }
 
 QTEST_APPLESS_MAIN(MutationsTest)
