@@ -47,7 +47,9 @@ std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arg
         return Usage;
     }
     if (parser.isSet(help)) {
-        print(parser.helpText());
+        // Qt writes the program's path where a person types the program and the verb.
+        const QString program = QStringLiteral("pendeskctl ") + arguments.first();
+        print(parser.helpText().replace(QCoreApplication::arguments().constFirst(), program).trimmed());
         return Done;
     }
     return std::nullopt;
