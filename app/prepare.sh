@@ -55,12 +55,13 @@ install_missing() {
     fi
     needs=$(missing_needs)
     if [ -z "$needs" ]; then return; fi
-    say "To build and show Pendesk, these packages are installed with apt-get:" $needs
+    say "Packages are missing that Pendesk is built with; apt-get installs them."
     if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
         die "That takes root, and there is no sudo: install them as root, then run this again."
     fi
     as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq || die "apt-get update failed; see above."
     chosen=$(printf '%s\n' "$needs" | while read -r need; do choose $need; done)
+    say "To build and show Pendesk:" $chosen
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $chosen >&2 ||
         die "apt-get could not install everything; see above."
 }
