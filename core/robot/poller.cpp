@@ -3,6 +3,7 @@
 #include "robot/poller.h"
 
 #include "session/session.h"
+#include <functional>
 
 using namespace std::chrono_literals;
 using values::ControlGroup;
@@ -130,7 +131,7 @@ template <typename Request, typename Take> void Poller::ask(Topic topic, const R
     m_session->send(request, m_context.get(), [this, topic, take](const Result<typename Request::Reply> &value) {
         const Time at = now();
         if (value)
-            (m_state.*take)(*value, at);
+            std::invoke(take, m_state, *value, at);
         settle(topic, value ? std::nullopt : std::optional {value.error()}, at);
     });
 }

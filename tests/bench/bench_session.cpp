@@ -260,7 +260,7 @@ void addMonitorCycle(Batch &batch)
 void monitorCycle()
 {
     bare::Server server {1, 2ms};
-    for (const int window : {1, 4, 8}) {
+    for (const int window : {1, 4, 8, 10}) {
         Client client {server.port(), fastPolicy(window)};
         std::vector<double> times;
         for (int round = 0; round < rounds; ++round) {
