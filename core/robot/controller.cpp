@@ -154,7 +154,8 @@ void Controller::onStatusAnswered()
 void Controller::watch()
 {
     const Time at = now();
-    if (m_linkState == LinkState::Monitoring && at - m_lastStatus > statusMissesUntilLost * m_profile.readTimeout) {
+    const auto miss = std::max(m_profile.readTimeout, period(Topic::Status)); // nobody is late before the slot
+    if (m_linkState == LinkState::Monitoring && at - m_lastStatus > statusMissesUntilLost * miss) {
         ++m_timesLost;
         m_isIdentified = false; // another controller may answer next
         m_poller->setProbing(true);
@@ -166,8 +167,10 @@ void Controller::watch()
 
 void Controller::hold()
 {
-    if (!m_link)
+    if (m_linkState == LinkState::Disconnected)
         return;
+    if (!m_link) // the host's name is not resolved yet: nothing can leave
+        return setHold(HoldProgress::Unconfirmed);
     auto *order = new StopOrder {Stop::Hold, m_link->session, &m_link->orders};
     connect(order, &StopOrder::statusRead, this,
         [this](const values::Status &status, Time at) { m_state->takeStatus(status, at); });

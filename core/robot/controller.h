@@ -54,7 +54,8 @@ public:
     /// Ends the link and forgets what was read.
     void close();
 
-    /// HOLD on, at once and ahead of everything: see StopOrder. Does nothing while Disconnected, when there is no link.
+    /// HOLD on, at once and ahead of everything: see StopOrder. Does nothing while Disconnected; Unconfirmed at
+    /// once while the host's name has no address yet, so that nothing can be sent.
     void hold();
 
 Q_SIGNALS:

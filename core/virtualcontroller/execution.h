@@ -5,7 +5,7 @@
 #include "virtualcontroller/memory.h"
 
 /// The executing job of the master task, line by line, while Memory::isJobRunning. Understood are the moves, CALL, RET,
-/// END, JUMP with labels and conditions, TIMER, WAIT, PAUSE, DOUT, PULSE, DIN, SET, INC, DEC, ADD, SUB, MUL and CLEAR
+/// END, JUMP with labels and conditions, TIMER, WAIT, PAUSE, DOUT, DIN, SET, INC, DEC, ADD, SUB, MUL and CLEAR
 /// of B, I and D; every other instruction takes its time and does nothing.
 namespace virtualcontroller {
 

@@ -122,6 +122,23 @@ private Q_SLOTS:
         controller.open();
         QTRY_VERIFY_WITH_TIMEOUT(controller.trouble(), 20000);
         QCOMPARE(controller.trouble()->kind, ErrorKind::Network);
+        controller.hold(); // nowhere to send it: that is said, not kept quiet
+        QCOMPARE(controller.holdProgress(), HoldProgress::Unconfirmed);
+    }
+
+    void aShortTimeoutIsNoLostLink()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        auto profile = profileOf(server.port());
+        profile.readTimeout = 20ms; // three of them are shorter than the pause between two status reads
+        Controller controller {profile};
+        int reads = 0;
+        connect(&controller.state(), &RobotState::changed, this, [&](Topic topic) { reads += topic == Topic::Status; });
+        controller.open();
+        QTRY_VERIFY(reads >= 15);
+        QCOMPARE(controller.linkState(), LinkState::Monitoring);
+        QCOMPARE(controller.timesLost(), 0);
     }
 
     void holdIsConfirmedByTheStatus()
