@@ -7,7 +7,14 @@ packages='
 g++
 cmake
 ninja-build
+mold
 qt6-base-dev
+libqt6opengl6-dev
+qt6-charts-dev libqt6charts6-dev
+libqt6sql6-sqlite
+qt6-tools-dev
+qt6-tools-dev-tools
+qt6-l10n-tools
 qt6-svg-dev libqt6svg6-dev
 qt6-wayland
 libexpected-dev libtl-expected-dev
