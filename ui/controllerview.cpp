@@ -13,7 +13,17 @@ namespace ui {
 using namespace std::chrono_literals;
 using robot::HoldProgress;
 using robot::LinkState;
-using robot::Topic;
+
+namespace {
+
+/// What the strip shows, and the alarms, which are kept whatever page is in view.
+QList<robot::TopicRange> alwaysRead()
+{
+    return {robot::topics::status, robot::topics::masterJob, robot::topics::systemInformation,
+        {robot::Kind::Alarm, 1, values::activeAlarmCount}};
+}
+
+} // namespace
 
 ControllerView::ControllerView(const settings::Profile &profile, const Actions &actions, QWidget *parent)
     : QWidget(parent),
@@ -22,7 +32,7 @@ ControllerView::ControllerView(const settings::Profile &profile, const Actions &
       m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
       m_bar {new widgets::MessageBar},
       m_stack {new QStackedWidget},
-      m_stripInterest {m_controller.poller().want({Topic::Status, Topic::Job, Topic::SystemInformation})}
+      m_stripInterest {m_controller.poller().want(alwaysRead())}
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -61,11 +71,13 @@ QWidget *ControllerView::desk()
 
 void ControllerView::addPages(const Actions &actions)
 {
-    const pages::Context context {m_controller.state(), m_controller.profile(), actions};
+    const pages::Context context {m_controller, m_controller.state(), m_controller.profile(), actions};
     for (const PageRow &row : pageCatalog()) {
         pages::Page *page = row.create(context, m_stack);
         page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));
         m_stack->addWidget(page);
+        for (const auto signal : {&pages::Page::topicsChanged, &pages::Page::visibilityChanged})
+            connect(page, signal, this, [this, page] { readFor(page); });
         m_pages << page;
     }
 }
@@ -82,10 +94,15 @@ void ControllerView::follow()
     connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
 }
 
-void ControllerView::openPage(int row)
+void ControllerView::openPage(int row) { m_stack->setCurrentIndex(row); }
+
+/// What is read for a page: its topics while it is in view, else nothing.
+void ControllerView::readFor(const pages::Page *page)
 {
-    m_stack->setCurrentIndex(row);
-    m_pageInterest = m_controller.poller().want(m_pages[row]->topics());
+    if (page->isVisible())
+        m_pageInterests[page] = m_controller.poller().want(page->topics());
+    else
+        m_pageInterests.remove(page);
 }
 
 void ControllerView::hold()

@@ -43,6 +43,7 @@ private:
     [[nodiscard]] QWidget *desk();
     void addPages(const Actions &actions);
     void follow();
+    void readFor(const pages::Page *page);
     void onLinkChanged();
     void onHoldProgressChanged();
     void onStatisticsChanged();
@@ -55,7 +56,7 @@ private:
     QStackedWidget *m_stack;
     QList<pages::Page *> m_pages; ///< In the order of the page catalogue.
     robot::Poller::Interest m_stripInterest;
-    robot::Poller::Interest m_pageInterest;
+    QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.
     std::optional<ActionId> m_barAction;
     QTimer m_fade; ///< Takes away what need not be read twice.
 };

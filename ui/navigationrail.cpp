@@ -77,8 +77,8 @@ NavigationRail::NavigationRail(
     addPages(column);
     column->addStretch();
     addActions(column, actions);
-    connect(&state, &robot::RobotState::changed, this, [this](robot::Topic topic) {
-        if (topic == robot::Topic::Status)
+    connect(&state, &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
+        if (range.contains(robot::topics::status))
             showTile();
     });
     showTile();

@@ -164,24 +164,24 @@ void RobotStrip::addStatusCells()
     }
 }
 
-void RobotStrip::onChanged(robot::Topic topic)
+void RobotStrip::onChanged(const robot::TopicRange &range)
 {
-    if (topic == robot::Topic::Status)
+    if (range.contains(robot::topics::status))
         showStatus();
-    else if (topic == robot::Topic::Job)
+    else if (range.contains(robot::topics::masterJob))
         showJob();
 }
 
 void RobotStrip::showStatus()
 {
-    const auto freshness = m_state.freshness(robot::Topic::Status);
+    const auto freshness = m_state.freshness(robot::topics::status);
     for (qsizetype i = 0; i < m_statusFields.size(); ++i)
         m_statusFields[i]->show(widgets::shown(m_state.status(), freshness, fields[i].word));
 }
 
 void RobotStrip::showJob()
 {
-    const auto freshness = m_state.freshness(robot::Topic::Job);
+    const auto freshness = m_state.freshness(robot::topics::masterJob);
     const auto name = [this](const values::ExecutingJob &job) { return widgets::Word {jobName(job, m_encoding)}; };
     const auto place = [](const values::ExecutingJob &job) { return widgets::Word {jobPlace(job)}; };
     m_job->show(widgets::shown(m_state.job(), freshness, name));

@@ -41,7 +41,7 @@ private:
     [[nodiscard]] QWidget *jobCell() const;
     void makeRoom();
     void addStatusCells();
-    void onChanged(robot::Topic topic);
+    void onChanged(const robot::TopicRange &range);
     void showStatus();
     void showJob();
     void showLinkCell();

@@ -46,8 +46,8 @@ bool Pictures::isLive() const
     const robot::Controller &controller = m_window.controller();
     if (controller.linkState() != robot::LinkState::Monitoring || controller.statistics().seconds.size() < 2)
         return false;
-    for (int topic = 0; topic < robot::topicCount; ++topic) {
-        const auto freshness = controller.state().freshness(robot::Topic(topic));
+    for (const robot::Topic topic : robot::topics::overview) {
+        const auto freshness = controller.state().freshness(topic);
         if (freshness != robot::Freshness::Live && freshness != robot::Freshness::Refused)
             return false;
     }

@@ -39,7 +39,7 @@ void Timings::watchStatus()
 {
     const auto look = [this] {
         const auto &state = m_window.controller().state();
-        if (state.freshness(robot::Topic::Status) == robot::Freshness::Live && !std::exchange(m_isLive, true))
+        if (state.freshness(robot::topics::status) == robot::Freshness::Live && !std::exchange(m_isLive, true))
             tell("first-live");
     };
     look();

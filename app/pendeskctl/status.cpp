@@ -18,8 +18,8 @@ namespace {
 
 bool isComplete(const RobotState &state)
 {
-    for (int topic = 0; topic < topicCount; ++topic) {
-        if (state.freshness(Topic(topic)) == Freshness::Unknown)
+    for (const Topic topic : topics::overview) {
+        if (state.freshness(topic) == Freshness::Unknown)
             return false;
     }
     return true;
@@ -57,7 +57,7 @@ int runStatus(const QStringList &arguments)
 
     Controller controller {*profile};
     const auto interest = controller.poller().want(
-        {Topic::Job, Topic::BasePosition, Topic::PulsePosition, Topic::BaseAxisNames, Topic::PulseAxisNames});
+        {topics::overview.begin(), topics::overview.end()});
     QObject::connect(&controller.state(), &RobotState::changed, &controller, [&] {
         if (controller.linkState() == LinkState::Monitoring && isComplete(controller.state()))
             QCoreApplication::exit(Done);

@@ -50,7 +50,7 @@ Controller::Controller(settings::Profile profile, QObject *parent)
     : QObject {parent},
       m_profile {std::move(profile)},
       m_state {new RobotState {this}},
-      m_poller {new Poller {*m_state, this}},
+      m_poller {new Poller {*m_state, m_profile.dialect(), this}},
       m_linkStateSince {QDateTime::currentDateTime()}
 {
     connect(m_poller, &Poller::finished, this, &Controller::onFinished);
@@ -101,7 +101,7 @@ void Controller::openLink(const QHostAddress &address)
 {
     m_link = std::make_unique<Link>(address, m_profile);
     connect(
-        &m_link->session, &session::Session::outcomeUnknown, m_poller, [this] { m_poller->readNow(Topic::Status); });
+        &m_link->session, &session::Session::outcomeUnknown, m_poller, [this] { m_poller->readNow(topics::status); });
     m_poller->setProbing(true);
     m_poller->start(m_link->session);
 }
@@ -128,16 +128,30 @@ void Controller::dropLink()
         m_link.release()->deleteLater();
 }
 
-void Controller::onFinished(Topic topic, const std::optional<Error> &error)
+void Controller::onFinished(const TopicRange &range, const std::optional<Error> &error)
 {
-    if (topic == Topic::SystemInformation && !error)
+    const bool isStatus = range == TopicRange(topics::status);
+    if (range == TopicRange(topics::systemInformation) && !error)
         m_isIdentified = true;
-    if (topic == Topic::Status && (!error || error->kind == ErrorKind::Refused))
+    if (isStatus && (!error || error->kind == ErrorKind::Refused))
         m_lastStatus = now();
     if (m_linkState == LinkState::Checking && error)
         setTrouble(error);
-    if (topic == Topic::Status && !error)
+    if (isStatus && !error) {
+        readAlarmsOnEdge();
         onStatusAnswered();
+    }
+}
+
+/// Alarms come and go with these bits: then they are read at once, and otherwise at their own pace.
+void Controller::readAlarmsOnEdge()
+{
+    const values::Status &status = *m_state->status().value;
+    const bool hasAlarm = status.hasAlarm() || status.hasError();
+    if (std::exchange(m_hadAlarm, hasAlarm) == hasAlarm)
+        return;
+    for (int slot = 1; slot <= values::activeAlarmCount; ++slot)
+        m_poller->readNow({Kind::Alarm, quint16(slot)});
 }
 
 void Controller::onStatusAnswered()
@@ -154,7 +168,7 @@ void Controller::onStatusAnswered()
 void Controller::watch()
 {
     const Time at = now();
-    const auto miss = std::max(m_profile.readTimeout, period(Topic::Status)); // nobody is late before the slot
+    const auto miss = std::max(m_profile.readTimeout, period(Kind::Status)); // nobody is late before the slot
     if (m_linkState == LinkState::Monitoring && at - m_lastStatus > statusMissesUntilLost * miss) {
         ++m_timesLost;
         m_isIdentified = false; // another controller may answer next
@@ -173,7 +187,7 @@ void Controller::hold()
         return setHold(HoldProgress::Unconfirmed);
     auto *order = new StopOrder {Stop::Hold, m_link->session, &m_link->orders};
     connect(order, &StopOrder::statusRead, this,
-        [this](const values::Status &status, Time at) { m_state->takeStatus(status, at); });
+        [this](const values::Status &status, Time at) { m_state->take<Kind::Status>(1, status, at); });
     connect(order, &StopOrder::finished, this, [this](StopOrder::Outcome outcome, const std::optional<Error> &refusal) {
         switch (outcome) {
         case StopOrder::Outcome::Confirmed: return setHold(HoldProgress::Confirmed);

@@ -72,7 +72,8 @@ private:
     void openLink(const QHostAddress &address);
     void dropLink();
     void watch();
-    void onFinished(Topic topic, const std::optional<values::Error> &error);
+    void onFinished(const TopicRange &range, const std::optional<values::Error> &error);
+    void readAlarmsOnEdge();
     void onStatusAnswered();
     void setLinkState(LinkState state);
     void setTrouble(const std::optional<values::Error> &trouble);
@@ -84,6 +85,7 @@ private:
     std::unique_ptr<Link> m_link;
     LinkState m_linkState = LinkState::Disconnected;
     QDateTime m_linkStateSince;
+    bool m_hadAlarm = false; ///< An alarm or an error, in the last status.
     Time m_lastStatus {}; ///< When the status was last answered.
     bool m_isIdentified = false; ///< The system information was answered.
     std::optional<values::Error> m_trouble;

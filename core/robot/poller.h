@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/readplan.h"
 #include "robot/robotstate.h"
 #include <QTimer>
 #include <memory>
+#include <set>
 
 namespace session {
 class Session;
@@ -12,57 +14,72 @@ class Session;
 
 namespace robot {
 
-/// Reads topics into the state, each at its pace, as long as somebody wants them. A slot that comes while the last one
-/// still waits for its answer is skipped, so there is never a burst after a silence.
+/// Reads topics into the state, each at its pace, as long as somebody wants them, in the fewest packets. A slot that
+/// comes while the last one still waits for its answer is skipped, so there is never a burst after a silence.
+///
+/// What the controller refuses to tell is found out item by item, shown as refused, and asked for again only now and
+/// then; the status, on which the link depends, keeps its pace.
 class Poller : public QObject
 {
     Q_OBJECT
 
 public:
     /// Somebody's wish to have topics read; letting go of it ends the reading. A page holds one while it is visible.
-    using Interest = std::shared_ptr<const QList<Topic>>;
+    using Interest = std::shared_ptr<const QList<TopicRange>>;
 
     /// `state` must outlive the poller.
-    explicit Poller(RobotState &state, QObject *parent = nullptr);
+    Poller(RobotState &state, protocol::Dialect dialect, QObject *parent = nullptr);
     ~Poller() override;
 
-    [[nodiscard]] Interest want(const QList<Topic> &topics);
+    [[nodiscard]] Interest want(const QList<TopicRange> &topics);
 
     /// Begins reading over `session`, which must stay until stop(). Topics that are read once are read again.
     void start(session::Session &session);
     void stop();
-    /// Reads a topic without waiting for its slot, unless it is being read.
+    /// Reads a topic that somebody wants without waiting for its slot, unless it is being read.
     void readNow(Topic topic);
     /// While probing, only the status and the system information are read: enough to find out whether somebody answers.
     void setProbing(bool probing);
+    /// Requests that one round of everything wanted now takes.
+    [[nodiscard]] int planSize();
 
 Q_SIGNALS:
-    /// A read of `topic` ended: with a value or with an error, after the state was told. Silence tells the state
-    /// nothing.
-    void finished(robot::Topic topic, const std::optional<values::Error> &error);
+    /// A read ended: with values or with an error, after the state was told. Silence tells the state nothing.
+    void finished(const robot::TopicRange &range, const std::optional<values::Error> &error);
 
 private:
     struct Slot {
         Time due {};
         bool isWaiting = false; ///< A read is on its way.
         bool isDone = false; ///< Read once, and that was enough.
+        bool isHalf = false; ///< Part of a packet that was refused, not answered yet.
     };
+    using Plan = std::map<PlannedRead, Slot>;
 
-    [[nodiscard]] bool isWanted(Topic topic) const;
+    [[nodiscard]] QList<TopicRange> wanted();
+    void replan();
     void poll();
     void schedule(Time now);
-    void read(Topic topic);
-    template <typename Request, typename Take> void ask(Topic topic, const Request &request, Take take);
-    void settle(Topic topic, const std::optional<values::Error> &error, Time now);
-    Slot &slot(Topic topic) { return m_slots[std::size_t(topic)]; }
+    void send(const PlannedRead &read);
+    template <Kind kind> void sendSingle(const PlannedRead &read);
+    void sendAlarm(const PlannedRead &read);
+    template <Kind kind, typename Item> void sendItems(const PlannedRead &read);
+    template <typename Request, typename Take> void ask(const PlannedRead &read, const Request &request, Take take);
+    void settle(const PlannedRead &read, const std::optional<values::Error> &error, Time now);
+    void settleRefusal(Plan::iterator slot, const values::Error &error, Time now);
+    void wake();
 
     RobotState &m_state;
+    protocol::Dialect m_dialect;
     session::Session *m_session = nullptr;
     std::unique_ptr<QObject> m_context; ///< Of the reads on their way; gone with stop().
-    std::vector<std::weak_ptr<const QList<Topic>>> m_interests;
-    std::array<Slot, topicCount> m_slots;
+    std::vector<std::weak_ptr<const QList<TopicRange>>> m_interests;
+    Plan m_plan;
+    std::set<Topic> m_refused;
     QTimer m_timer;
     bool m_isProbing = true;
+    bool m_isPlanOld = true;
+    bool m_hasAlarmTexts = true; ///< Until the controller refuses them.
 };
 
 } // namespace robot

@@ -2,88 +2,87 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/robotstate.h"
 
-using namespace std::chrono_literals;
-
 namespace robot {
 
-Milliseconds period(Topic topic)
+namespace {
+
+/// Joins numbers that come in rising order to ranges.
+class Ranges
 {
-    switch (topic) {
-    case Topic::Status:
-    case Topic::BasePosition:
-    case Topic::PulsePosition: return 100ms;
-    case Topic::Job: return 250ms;
-    case Topic::BaseAxisNames:
-    case Topic::PulseAxisNames:
-    case Topic::SystemInformation: break;
+public:
+    explicit Ranges(Kind kind) : m_kind {kind} { }
+    void add(quint16 number)
+    {
+        if (!ranges.isEmpty() && ranges.last().last + 1 == number)
+            ++ranges.last().last;
+        else
+            ranges << TopicRange(m_kind, number, number);
     }
-    return 0ms;
-}
+
+    QList<TopicRange> ranges;
+
+private:
+    Kind m_kind;
+};
+
+} // namespace
 
 RobotState::RobotState(QObject *parent) : QObject {parent} { }
 
-/// Calls `function` with the reading of `topic`: the one place that knows which member belongs to it.
-template <typename Function> void RobotState::visit(Topic topic, Function function)
+/// Calls `function(kind, shelf)` for each kind.
+template <typename Function> void RobotState::forEachShelf(Function function)
 {
-    switch (topic) {
-    case Topic::Status: return function(m_status);
-    case Topic::Job: return function(m_job);
-    case Topic::BasePosition: return function(m_basePosition);
-    case Topic::PulsePosition: return function(m_pulsePosition);
-    case Topic::BaseAxisNames: return function(m_baseAxisNames);
-    case Topic::PulseAxisNames: return function(m_pulseAxisNames);
-    case Topic::SystemInformation: return function(m_systemInformation);
+    [&]<std::size_t... kinds>(std::index_sequence<kinds...>)
+    {
+        (function(Kind(kinds), std::get<kinds>(m_shelves)), ...);
     }
+    (std::make_index_sequence<kindCount> {});
 }
 
-template <typename Value> void RobotState::store(Reading<Value> &reading, Topic topic, const Value &value, Time now)
+template <typename Function> void RobotState::visit(Kind kind, Function function)
 {
-    reading.take(value, now);
-    update(topic, now, true);
+    forEachShelf([&](Kind shelfKind, auto &shelf) {
+        if (shelfKind == kind)
+            function(shelf);
+    });
 }
 
-void RobotState::takeStatus(const values::Status &status, Time now) { store(m_status, Topic::Status, status, now); }
-void RobotState::takeJob(const values::ExecutingJob &job, Time now) { store(m_job, Topic::Job, job, now); }
-void RobotState::takeBasePosition(const values::Position &position, Time now)
+Freshness RobotState::freshness(Topic topic) const
 {
-    store(m_basePosition, Topic::BasePosition, position, now);
-}
-void RobotState::takePulsePosition(const values::Position &position, Time now)
-{
-    store(m_pulsePosition, Topic::PulsePosition, position, now);
-}
-void RobotState::takeBaseAxisNames(const values::AxisNames &names, Time now)
-{
-    store(m_baseAxisNames, Topic::BaseAxisNames, names, now);
-}
-void RobotState::takePulseAxisNames(const values::AxisNames &names, Time now)
-{
-    store(m_pulseAxisNames, Topic::PulseAxisNames, names, now);
-}
-void RobotState::takeSystemInformation(const values::SystemInformation &information, Time now)
-{
-    store(m_systemInformation, Topic::SystemInformation, information, now);
+    Freshness result = Freshness::Unknown;
+    const_cast<RobotState *>(this)->visit(topic.kind, [&](const auto &shelf) {
+        if (const auto found = shelf.find(topic.number); found != shelf.end())
+            result = found->second.freshness;
+    });
+    return result;
 }
 
-void RobotState::refuse(Topic topic, const values::Error &error, Time now)
+void RobotState::refuse(const TopicRange &range, const values::Error &error, Time now)
 {
-    visit(topic, [&](auto &reading) { reading.refuse(error); });
-    update(topic, now, true);
-}
-
-void RobotState::update(Topic topic, Time now, bool readAgain)
-{
-    Freshness fresh = Freshness::Unknown;
-    visit(topic, [&](const auto &reading) { fresh = reading.freshness(now, period(topic), m_isLinkUp); });
-    const Freshness before = std::exchange(m_freshness[std::size_t(topic)], fresh);
-    if (readAgain || before != fresh)
-        Q_EMIT changed(topic);
+    visit(range.kind, [&](auto &shelf) {
+        for (int number = range.first; number <= range.last; ++number) {
+            auto &entry = shelf[quint16(number)];
+            entry.reading.refuse(error);
+            entry.freshness = entry.reading.freshness(now, period(range.kind), m_isLinkUp);
+        }
+    });
+    Q_EMIT changed(range);
 }
 
 void RobotState::tick(Time now)
 {
-    for (int topic = 0; topic < topicCount; ++topic)
-        update(Topic(topic), now, false);
+    QList<TopicRange> changes;
+    forEachShelf([&](Kind kind, auto &shelf) {
+        Ranges aged {kind};
+        for (auto &[number, entry] : shelf) {
+            const Freshness fresh = entry.reading.freshness(now, period(kind), m_isLinkUp);
+            if (std::exchange(entry.freshness, fresh) != fresh)
+                aged.add(number);
+        }
+        changes << aged.ranges;
+    });
+    for (const TopicRange &range : changes)
+        Q_EMIT changed(range);
 }
 
 void RobotState::setLinkUp(bool up, Time now)
@@ -94,10 +93,16 @@ void RobotState::setLinkUp(bool up, Time now)
 
 void RobotState::clear()
 {
-    for (int topic = 0; topic < topicCount; ++topic) {
-        visit(Topic(topic), [](auto &reading) { reading = {}; });
-        update(Topic(topic), {}, true);
-    }
+    QList<TopicRange> changes;
+    forEachShelf([&](Kind kind, auto &shelf) {
+        Ranges gone {kind};
+        for (const auto &[number, entry] : shelf)
+            gone.add(number);
+        changes << gone.ranges;
+        shelf.clear();
+    });
+    for (const TopicRange &range : changes)
+        Q_EMIT changed(range);
 }
 
 } // namespace robot

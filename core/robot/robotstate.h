@@ -2,32 +2,15 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "robot/reading.h"
-#include "values/job.h"
-#include "values/position.h"
-#include "values/status.h"
-#include "values/systeminformation.h"
+#include "robot/topic.h"
 #include <QObject>
-#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace robot {
 
-/// What is read from a controller, each at its own pace.
-enum class Topic {
-    Status,
-    Job, ///< The master task.
-    BasePosition, ///< R1 in the base frame.
-    PulsePosition, ///< R1 in pulses.
-    BaseAxisNames,
-    PulseAxisNames,
-    SystemInformation, ///< R1.
-};
-constexpr int topicCount = 7;
-
-/// How often a topic is read while something wants it; 0: once for each link.
-[[nodiscard]] Milliseconds period(Topic topic);
-
-/// The latest value of every topic. Pages listen and show; only the poller writes.
+/// The latest value of every topic that was read. Pages listen and show; only the poller and orders write.
 class RobotState : public QObject
 {
     Q_OBJECT
@@ -35,25 +18,56 @@ class RobotState : public QObject
 public:
     explicit RobotState(QObject *parent = nullptr);
 
-    [[nodiscard]] const Reading<values::Status> &status() const { return m_status; }
-    [[nodiscard]] const Reading<values::ExecutingJob> &job() const { return m_job; }
-    [[nodiscard]] const Reading<values::Position> &basePosition() const { return m_basePosition; }
-    [[nodiscard]] const Reading<values::Position> &pulsePosition() const { return m_pulsePosition; }
-    [[nodiscard]] const Reading<values::AxisNames> &baseAxisNames() const { return m_baseAxisNames; }
-    [[nodiscard]] const Reading<values::AxisNames> &pulseAxisNames() const { return m_pulseAxisNames; }
-    [[nodiscard]] const Reading<values::SystemInformation> &systemInformation() const { return m_systemInformation; }
+    /// An empty reading if it was never read. The reference holds until clear().
+    template <Kind kind> [[nodiscard]] const Reading<ValueOf<kind>> &reading(int number) const
+    {
+        static const Reading<ValueOf<kind>> none;
+        const auto &shelf = std::get<std::size_t(kind)>(m_shelves);
+        const auto found = shelf.find(quint16(number));
+        return found == shelf.end() ? none : found->second.reading;
+    }
+    [[nodiscard]] const Reading<values::Status> &status() const { return reading<Kind::Status>(1); }
+    /// `task` 0 is the master task.
+    [[nodiscard]] const Reading<values::ExecutingJob> &job(int task = 0) const { return reading<Kind::Job>(task); }
+    // R1
+    [[nodiscard]] const Reading<values::Position> &basePosition() const
+    {
+        return reading<Kind::Position>(topics::basePosition.number);
+    }
+    [[nodiscard]] const Reading<values::Position> &pulsePosition() const
+    {
+        return reading<Kind::Position>(topics::pulsePosition.number);
+    }
+    [[nodiscard]] const Reading<values::AxisNames> &baseAxisNames() const
+    {
+        return reading<Kind::AxisNames>(topics::baseAxisNames.number);
+    }
+    [[nodiscard]] const Reading<values::AxisNames> &pulseAxisNames() const
+    {
+        return reading<Kind::AxisNames>(topics::pulseAxisNames.number);
+    }
+    [[nodiscard]] const Reading<values::SystemInformation> &systemInformation() const
+    {
+        return reading<Kind::SystemInformation>(topics::systemInformation.number);
+    }
 
     /// As of the last change or tick; a change of it is announced by changed().
-    [[nodiscard]] Freshness freshness(Topic topic) const { return m_freshness[std::size_t(topic)]; }
+    [[nodiscard]] Freshness freshness(Topic topic) const;
 
-    void takeStatus(const values::Status &status, Time now);
-    void takeJob(const values::ExecutingJob &job, Time now);
-    void takeBasePosition(const values::Position &position, Time now);
-    void takePulsePosition(const values::Position &position, Time now);
-    void takeBaseAxisNames(const values::AxisNames &names, Time now);
-    void takePulseAxisNames(const values::AxisNames &names, Time now);
-    void takeSystemInformation(const values::SystemInformation &information, Time now);
-    void refuse(Topic topic, const values::Error &error, Time now);
+    template <Kind kind> void take(int number, const ValueOf<kind> &value, Time now)
+    {
+        store<kind>(quint16(number), value, now);
+        Q_EMIT changed(Topic {kind, quint16(number)});
+    }
+    /// What one packet brought: values with consecutive numbers. It must not be empty.
+    template <Kind kind> void takeAll(int first, const QList<ValueOf<kind>> &values, Time now)
+    {
+        quint16 number = quint16(first);
+        for (const auto &value : values)
+            store<kind>(number++, value, now);
+        Q_EMIT changed({kind, first, first + int(values.size()) - 1});
+    }
+    void refuse(const TopicRange &range, const values::Error &error, Time now);
 
     /// Looks at the clock: values that grew old become stale. Called a few times a period.
     void tick(Time now);
@@ -63,22 +77,29 @@ public:
     void clear();
 
 Q_SIGNALS:
-    /// The value, the refusal or the freshness of `topic` is another than before, or the value was read again.
-    void changed(robot::Topic topic);
+    /// The value, the refusal or the freshness of topics in `range` is another than before, or they were read again.
+    /// All that one packet brought is announced at once.
+    void changed(const robot::TopicRange &range);
 
 private:
-    template <typename Function> void visit(Topic topic, Function function);
-    template <typename Value> void store(Reading<Value> &reading, Topic topic, const Value &value, Time now);
-    void update(Topic topic, Time now, bool readAgain);
+    template <Kind kind> struct Entry {
+        Reading<ValueOf<kind>> reading;
+        Freshness freshness = Freshness::Unknown;
+    };
+    template <Kind kind> using Shelf = std::map<quint16, Entry<kind>>;
+    template <std::size_t... kinds> static std::tuple<Shelf<Kind(kinds)>...> makeShelves(std::index_sequence<kinds...>);
+    using Shelves = decltype(makeShelves(std::make_index_sequence<kindCount> {}));
 
-    Reading<values::Status> m_status;
-    Reading<values::ExecutingJob> m_job;
-    Reading<values::Position> m_basePosition;
-    Reading<values::Position> m_pulsePosition;
-    Reading<values::AxisNames> m_baseAxisNames;
-    Reading<values::AxisNames> m_pulseAxisNames;
-    Reading<values::SystemInformation> m_systemInformation;
-    std::array<Freshness, topicCount> m_freshness {};
+    template <typename Function> void forEachShelf(Function function);
+    template <typename Function> void visit(Kind kind, Function function);
+    template <Kind kind> void store(quint16 number, const ValueOf<kind> &value, Time now)
+    {
+        auto &entry = std::get<std::size_t(kind)>(m_shelves)[number];
+        entry.reading.take(value, now);
+        entry.freshness = entry.reading.freshness(now, period(kind), m_isLinkUp);
+    }
+
+    Shelves m_shelves;
     bool m_isLinkUp = false;
 };
 

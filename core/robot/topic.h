@@ -121,8 +121,17 @@ namespace topics {
 inline constexpr Topic status {Kind::Status, 1};
 inline constexpr Topic masterJob {Kind::Job, 0};
 inline constexpr Topic systemInformation {Kind::SystemInformation, 11}; ///< R1.
+constexpr Topic alarm(int slot) { return {Kind::Alarm, quint16(slot)}; } ///< 1 to 4.
 constexpr Topic position(values::ControlGroup group) { return {Kind::Position, group.instance}; }
 constexpr Topic axisNames(values::ControlGroup group) { return {Kind::AxisNames, group.instance}; }
+// R1
+inline constexpr Topic basePosition = position(values::ControlGroup::robotCartesian(1));
+inline constexpr Topic pulsePosition = position(values::ControlGroup::robotPulse(1));
+inline constexpr Topic baseAxisNames = axisNames(values::ControlGroup::robotCartesian(1));
+inline constexpr Topic pulseAxisNames = axisNames(values::ControlGroup::robotPulse(1));
+/// What tells about a robot at a glance.
+inline constexpr std::array overview {
+    status, masterJob, basePosition, pulsePosition, baseAxisNames, pulseAxisNames, systemInformation};
 } // namespace topics
 
 /// Things of one kind with consecutive numbers, first and last included.

@@ -63,8 +63,8 @@ public:
     }
     [[nodiscard]] bool isAllLive() const
     {
-        for (int topic = 0; topic < robot::topicCount; ++topic) {
-            if (state().freshness(robot::Topic(topic)) != robot::Freshness::Live)
+        for (const robot::Topic topic : robot::topics::overview) {
+            if (state().freshness(topic) != robot::Freshness::Live)
                 return false;
         }
         return window.controller().linkState() == robot::LinkState::Monitoring;

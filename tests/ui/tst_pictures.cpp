@@ -45,8 +45,7 @@ bool refused(Harness &harness)
 {
     if (!live(harness))
         return false;
-    for (const Topic topic : {Topic::Status, Topic::Job, Topic::BasePosition, Topic::PulsePosition,
-             Topic::BaseAxisNames, Topic::PulseAxisNames, Topic::SystemInformation})
+    for (const robot::Topic topic : robot::topics::overview)
         harness.state().refuse(topic, refusal(), std::chrono::steady_clock::now());
     return true;
 }

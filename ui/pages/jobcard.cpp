@@ -54,14 +54,14 @@ JobCard::JobCard(const robot::RobotState &state, protocol::Encoding encoding, QW
     body()->addLayout(row);
     body()->addStretch();
     connect(&state, &robot::RobotState::changed, this, &JobCard::onChanged);
-    onChanged(robot::Topic::Job);
+    onChanged(robot::topics::masterJob);
 }
 
-void JobCard::onChanged(robot::Topic topic)
+void JobCard::onChanged(const robot::TopicRange &range)
 {
-    if (topic != robot::Topic::Job)
+    if (!range.contains(robot::topics::masterJob))
         return;
-    const auto freshness = m_state.freshness(topic);
+    const auto freshness = m_state.freshness(robot::topics::masterJob);
     for (qsizetype i = 0; i < m_fields.size(); ++i) {
         const auto word = [this, i](
                               const ExecutingJob &job) { return widgets::Word {fields[i].text(job, m_encoding)}; };

@@ -21,7 +21,7 @@ public:
     JobCard(const robot::RobotState &state, protocol::Encoding encoding, QWidget *parent = nullptr);
 
 private:
-    void onChanged(robot::Topic topic);
+    void onChanged(const robot::TopicRange &range);
 
     const robot::RobotState &m_state;
     protocol::Encoding m_encoding;

@@ -4,19 +4,16 @@
 
 #include "ui/pages/jobcard.h"
 #include "ui/pages/linkcard.h"
-#include "ui/pages/notconnectedpanel.h"
 #include "ui/pages/optionscard.h"
 #include "ui/pages/positioncard.h"
 #include "ui/pages/statecard.h"
 #include "ui/pages/systemcard.h"
 #include "ui/widgets/board.h"
-#include <QStackedLayout>
 
 namespace pages {
 
 namespace {
 
-using robot::Topic;
 using widgets::Place;
 
 // State, Position, Options, Job, Link, System
@@ -28,35 +25,27 @@ constexpr widgets::Arrangement arrangements[] {{3, wide}, {2, medium}, {1, narro
 } // namespace
 
 OverviewPage::OverviewPage(const Context &context, QWidget *parent)
-    : Page(parent),
-      m_layers {new QStackedLayout(this)},
-      m_board {new widgets::Board(arrangements)},
-      m_linkCard {new LinkCard(context.profile)},
-      m_optionsCard {new OptionsCard}
+    : Page(context, parent), m_linkCard {new LinkCard(context.profile)}, m_optionsCard {new OptionsCard}
 {
-    m_board->add(new StateCard(context.state));
-    m_board->add(new PositionCard(context.state));
-    m_board->add(m_optionsCard);
-    m_board->add(new JobCard(context.state, context.profile.encoding));
-    m_board->add(m_linkCard);
-    m_board->add(new SystemCard(context.state, context.profile.model));
-    m_board->setObjectName(QStringLiteral("overviewBoard"));
-    auto *panel = new NotConnectedPanel(context);
-    panel->setObjectName(QStringLiteral("notConnected"));
-    m_layers->addWidget(panel);
-    m_layers->addWidget(m_board);
-    showLink({});
+    auto *board = new widgets::Board(arrangements);
+    board->add(new StateCard(context.state));
+    board->add(new PositionCard(context.state));
+    board->add(m_optionsCard);
+    board->add(new JobCard(context.state, context.profile.encoding));
+    board->add(m_linkCard);
+    board->add(new SystemCard(context.state, context.profile.model));
+    board->setObjectName(QStringLiteral("overviewBoard"));
+    setContent(board);
 }
 
-QList<Topic> OverviewPage::topics() const
+QList<robot::TopicRange> OverviewPage::topics() const
 {
-    return {Topic::Status, Topic::Job, Topic::BasePosition, Topic::PulsePosition, Topic::BaseAxisNames,
-        Topic::PulseAxisNames, Topic::SystemInformation};
+    return {robot::topics::overview.begin(), robot::topics::overview.end()};
 }
 
 void OverviewPage::showLink(const ui::LinkView &link)
 {
-    m_layers->setCurrentIndex(link.state == robot::LinkState::Disconnected ? 0 : 1);
+    Page::showLink(link);
     m_optionsCard->showLink(link);
 }
 

@@ -4,12 +4,6 @@
 
 #include "ui/pages/page.h"
 
-class QStackedLayout;
-
-namespace widgets {
-class Board;
-}
-
 namespace pages {
 
 class LinkCard;
@@ -23,13 +17,11 @@ class OverviewPage : public Page
 public:
     explicit OverviewPage(const Context &context, QWidget *parent = nullptr);
 
-    [[nodiscard]] QList<robot::Topic> topics() const override;
+    [[nodiscard]] QList<robot::TopicRange> topics() const override;
     void showLink(const ui::LinkView &link) override;
     void showStatistics(const session::LinkStatistics &statistics) override;
 
 private:
-    QStackedLayout *m_layers;
-    widgets::Board *m_board;
     LinkCard *m_linkCard;
     OptionsCard *m_optionsCard;
 };

@@ -5,6 +5,8 @@
 #include "ui/linkview.h"
 #include <QWidget>
 
+class QStackedLayout;
+
 namespace ui {
 class Actions;
 }
@@ -13,23 +15,42 @@ namespace pages {
 
 /// What a page is made of. All of it outlives the page: a window makes new pages for another controller.
 struct Context {
+    robot::Controller &controller; ///< For orders and procedures; what is shown comes from `state`.
     const robot::RobotState &state;
     const settings::Profile &profile;
     const ui::Actions &actions;
 };
 
-/// One page of the window. It shows what it is told and never asks the controller for anything itself.
+/// One page of the window: what it shows when there is a link, and the way to a connection when there is none. What
+/// must be read while it is visible it only names; it never asks for it itself.
 class Page : public QWidget
 {
     Q_OBJECT
 
 public:
-    using QWidget::QWidget;
+    explicit Page(const Context &context, QWidget *parent = nullptr);
 
-    /// What must be read while the page is visible.
-    [[nodiscard]] virtual QList<robot::Topic> topics() const = 0;
-    virtual void showLink(const ui::LinkView &link) = 0;
+    /// What must be read while the page is visible; see topicsChanged().
+    [[nodiscard]] virtual QList<robot::TopicRange> topics() const = 0;
+    /// Called once after creation and whenever the link has something new to say. Call it from an override.
+    virtual void showLink(const ui::LinkView &link);
+    /// Twice a second.
     virtual void showStatistics(const session::LinkStatistics &) { }
+
+Q_SIGNALS:
+    /// topics() is another list than before: another tab, other rows in view.
+    void topicsChanged();
+    /// The page came into view, or left it: nothing is read for it then.
+    void visibilityChanged();
+
+protected:
+    /// What the page shows while there is a link. Call it once.
+    void setContent(QWidget *content);
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QStackedLayout *m_layers;
 };
 
 } // namespace pages

@@ -10,6 +10,7 @@
 namespace pages {
 
 using robot::Topic;
+namespace topics = robot::topics;
 using widgets::ValueLabel;
 
 namespace {
@@ -82,7 +83,8 @@ PositionCard::PositionCard(const robot::RobotState &state, QWidget *parent)
     body()->addLayout(grid);
     body()->addStretch();
     connect(&state, &robot::RobotState::changed, this, &PositionCard::onChanged);
-    for (const Topic topic : {Topic::BaseAxisNames, Topic::PulseAxisNames, Topic::BasePosition, Topic::PulsePosition})
+    for (const Topic topic :
+        {topics::baseAxisNames, topics::pulseAxisNames, topics::basePosition, topics::pulsePosition})
         onChanged(topic);
 }
 
@@ -117,17 +119,18 @@ void PositionCard::paintEvent(QPaintEvent *event)
     }
 }
 
-void PositionCard::onChanged(Topic topic)
+void PositionCard::onChanged(const robot::TopicRange &range)
 {
-    switch (topic) {
-    case Topic::BasePosition: showBase(); break;
-    case Topic::PulsePosition: showPulses(); break;
-    case Topic::BaseAxisNames: return showNames(m_base, m_state.baseAxisNames());
-    case Topic::PulseAxisNames: return showNames(m_pulse, m_state.pulseAxisNames());
-    case Topic::Status:
-    case Topic::Job:
-    case Topic::SystemInformation: return;
-    }
+    if (range.contains(topics::baseAxisNames))
+        return showNames(m_base, m_state.baseAxisNames());
+    if (range.contains(topics::pulseAxisNames))
+        return showNames(m_pulse, m_state.pulseAxisNames());
+    if (range.contains(topics::basePosition))
+        showBase();
+    else if (range.contains(topics::pulsePosition))
+        showPulses();
+    else
+        return;
     showRows();
     showReason();
 }
@@ -138,7 +141,7 @@ void PositionCard::showBase()
     const auto type = reading.value ? reading.value->type : values::PositionType::Base;
     for (int axis = 0; axis < values::maxAxes; ++axis) {
         const Cell &cell = m_base[std::size_t(axis)];
-        cell.value->show(widgets::shown(reading, m_state.freshness(Topic::BasePosition), wordOf(axis)));
+        cell.value->show(widgets::shown(reading, m_state.freshness(topics::basePosition), wordOf(axis)));
         cell.unit->setText(unitText(type, axis));
     }
     setNote(reading.value ? tr("R1 · base frame, tool %1  ·  pulses").arg(reading.value->tool)
@@ -149,7 +152,7 @@ void PositionCard::showPulses()
 {
     for (int axis = 0; axis < values::maxAxes; ++axis)
         m_pulse[std::size_t(axis)].value->show(
-            widgets::shown(m_state.pulsePosition(), m_state.freshness(Topic::PulsePosition), wordOf(axis)));
+            widgets::shown(m_state.pulsePosition(), m_state.freshness(topics::pulsePosition), wordOf(axis)));
 }
 
 /// Where the controller does not tell its names, axes are counted: a guessed name would look like a read one.
@@ -176,8 +179,8 @@ void PositionCard::showRows()
 
 void PositionCard::showReason()
 {
-    for (const Topic topic : {Topic::BasePosition, Topic::PulsePosition}) {
-        const auto &reading = topic == Topic::BasePosition ? m_state.basePosition() : m_state.pulsePosition();
+    for (const Topic topic : {topics::basePosition, topics::pulsePosition}) {
+        const auto &reading = topic == topics::basePosition ? m_state.basePosition() : m_state.pulsePosition();
         if (m_state.freshness(topic) == robot::Freshness::Refused && reading.refusal)
             return setReason(widgets::refused(*reading.refusal).note);
     }

@@ -36,7 +36,7 @@ private:
     using Column = std::array<Cell, values::maxAxes>;
 
     void addRow(QGridLayout *grid, int axis);
-    void onChanged(robot::Topic topic);
+    void onChanged(const robot::TopicRange &range);
     void showBase();
     void showPulses();
     void showNames(const Column &column, const robot::Reading<values::AxisNames> &names);

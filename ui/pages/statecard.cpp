@@ -70,14 +70,14 @@ StateCard::StateCard(const robot::RobotState &state, QWidget *parent) : Card(tr(
     }
     body()->addWidget(cells, 1);
     connect(&state, &robot::RobotState::changed, this, &StateCard::onChanged);
-    onChanged(robot::Topic::Status);
+    onChanged(robot::topics::status);
 }
 
-void StateCard::onChanged(robot::Topic topic)
+void StateCard::onChanged(const robot::TopicRange &range)
 {
-    if (topic != robot::Topic::Status)
+    if (!range.contains(robot::topics::status))
         return;
-    const auto freshness = m_state.freshness(topic);
+    const auto freshness = m_state.freshness(robot::topics::status);
     for (qsizetype i = 0; i < m_fields.size(); ++i)
         m_fields[i]->show(widgets::shown(m_state.status(), freshness, fields[i].word));
     setReason(freshness == robot::Freshness::Refused ? m_fields.front()->value()->shown().note : QString());

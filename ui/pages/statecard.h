@@ -20,7 +20,7 @@ public:
     explicit StateCard(const robot::RobotState &state, QWidget *parent = nullptr);
 
 private:
-    void onChanged(robot::Topic topic);
+    void onChanged(const robot::TopicRange &range);
 
     const robot::RobotState &m_state;
     QList<widgets::StateField *> m_fields; ///< In the order of the table of fields.

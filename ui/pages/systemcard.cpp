@@ -34,14 +34,14 @@ SystemCard::SystemCard(const robot::RobotState &state, protocol::Model expected,
     body()->addStretch();
     connect(button, &QPushButton::clicked, this, &SystemCard::copy);
     connect(&state, &robot::RobotState::changed, this, &SystemCard::onChanged);
-    onChanged(robot::Topic::SystemInformation);
+    onChanged(robot::topics::systemInformation);
 }
 
-void SystemCard::onChanged(robot::Topic topic)
+void SystemCard::onChanged(const robot::TopicRange &range)
 {
-    if (topic != robot::Topic::SystemInformation)
+    if (!range.contains(robot::topics::systemInformation))
         return;
-    const auto freshness = m_state.freshness(topic);
+    const auto freshness = m_state.freshness(robot::topics::systemInformation);
     int row = 0;
     for (const auto word : {model, software, parameters})
         m_rows->show(row++, widgets::shown(m_state.systemInformation(), freshness, word));

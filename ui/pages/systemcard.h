@@ -21,7 +21,7 @@ public:
     SystemCard(const robot::RobotState &state, protocol::Model expected, QWidget *parent = nullptr);
 
 private:
-    void onChanged(robot::Topic topic);
+    void onChanged(const robot::TopicRange &range);
     void copy() const;
     /// Why the card needs attention: a refusal, or another model than the profile says. Empty: it does not.
     [[nodiscard]] QString reason() const;

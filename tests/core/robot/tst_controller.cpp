@@ -47,13 +47,13 @@ private Q_SLOTS:
         Server server {onAnyPort()};
         QVERIFY(server.start());
         Controller controller {profileOf(server.port())};
-        const auto interest = controller.poller().want(
-            {Topic::Job, Topic::BasePosition, Topic::PulsePosition, Topic::BaseAxisNames, Topic::PulseAxisNames});
+        const auto interest = controller.poller().want({topics::masterJob, topics::basePosition, topics::pulsePosition,
+            topics::baseAxisNames, topics::pulseAxisNames});
         controller.open();
         QCOMPARE(controller.linkState(), LinkState::Checking);
         QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
-        for (int topic = 0; topic < topicCount; ++topic)
-            QTRY_COMPARE(controller.state().freshness(Topic(topic)), Freshness::Live);
+        for (const Topic topic : topics::overview)
+            QTRY_COMPARE(controller.state().freshness(topic), Freshness::Live);
         const RobotState &state = controller.state();
         QCOMPARE(*state.status().value, server.memory().status);
         QCOMPARE(state.baseAxisNames().value->names[0].bytes(), QByteArrayView("X"));
@@ -68,12 +68,12 @@ private Q_SLOTS:
         QVERIFY(server.start());
         Controller controller {profileOf(server.port())};
         controller.open();
-        auto interest = controller.poller().want({Topic::Job});
-        QTRY_COMPARE(controller.state().freshness(Topic::Job), Freshness::Live);
-        QCOMPARE(controller.state().freshness(Topic::BasePosition), Freshness::Unknown);
+        auto interest = controller.poller().want({topics::masterJob});
+        QTRY_COMPARE(controller.state().freshness(topics::masterJob), Freshness::Live);
+        QCOMPARE(controller.state().freshness(topics::basePosition), Freshness::Unknown);
         interest.reset();
-        QTRY_COMPARE(controller.state().freshness(Topic::Job), Freshness::Stale);
-        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Live);
+        QTRY_COMPARE(controller.state().freshness(topics::masterJob), Freshness::Stale);
+        QCOMPARE(controller.state().freshness(topics::status), Freshness::Live);
     }
 
     void aLostLinkMakesEverythingStaleAndComesBack()
@@ -86,14 +86,14 @@ private Q_SLOTS:
         QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
         server.reset();
         QTRY_COMPARE(controller.linkState(), LinkState::Lost);
-        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Stale);
-        QCOMPARE(controller.state().freshness(Topic::SystemInformation), Freshness::Stale);
+        QCOMPARE(controller.state().freshness(topics::status), Freshness::Stale);
+        QCOMPARE(controller.state().freshness(topics::systemInformation), Freshness::Stale);
         QVERIFY(controller.state().status().value);
         Server again {onAnyPort(port)};
         QVERIFY(again.start());
         QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
         QCOMPARE(controller.timesLost(), 1);
-        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Live);
+        QCOMPARE(controller.state().freshness(topics::status), Freshness::Live);
     }
 
     void aSilentPortIsCheckedUntilItAnswers()
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QTRY_VERIFY(controller.trouble());
         QCOMPARE(controller.trouble()->kind, ErrorKind::NoAnswer);
         QCOMPARE(controller.linkState(), LinkState::Checking);
-        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Unknown);
+        QCOMPARE(controller.state().freshness(topics::status), Freshness::Unknown);
         reserved.close();
         Server server {onAnyPort(port)};
         QVERIFY(server.start());
@@ -134,7 +134,8 @@ private Q_SLOTS:
         profile.readTimeout = 20ms; // three of them are shorter than the pause between two status reads
         Controller controller {profile};
         int reads = 0;
-        connect(&controller.state(), &RobotState::changed, this, [&](Topic topic) { reads += topic == Topic::Status; });
+        connect(&controller.state(), &RobotState::changed, this,
+            [&](const TopicRange &range) { reads += range.contains(topics::status); });
         controller.open();
         QTRY_VERIFY(reads >= 15);
         QCOMPARE(controller.linkState(), LinkState::Monitoring);
@@ -201,7 +202,7 @@ private Q_SLOTS:
         QTRY_COMPARE(states.count(), 2);
         QCOMPARE(controller.linkState(), LinkState::Disconnected);
         QVERIFY(!controller.state().status().value);
-        QCOMPARE(controller.state().freshness(Topic::Status), Freshness::Unknown);
+        QCOMPARE(controller.state().freshness(topics::status), Freshness::Unknown);
     }
 
     void diagnosis_data()

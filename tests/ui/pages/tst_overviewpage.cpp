@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/overviewpage.h"
 
+#include "robot/controller.h"
 #include "ui/actioncatalog.h"
 #include "ui/robotstrip.h"
 #include "ui/widgets/board.h"
@@ -57,16 +58,22 @@ void fill(RobotState &state, int axes = 6)
 {
     using values::Status;
     state.setLinkUp(true, start);
-    state.takeStatus({Status::Data1 {Status::Remote} | Status::Play | Status::Continuous | Status::Running,
-                         Status::Data2 {Status::ServoOn}},
+    state.take<robot::Kind::Status>(1,
+        {Status::Data1 {Status::Remote} | Status::Play | Status::Continuous | Status::Running,
+            Status::Data2 {Status::ServoOn}},
         start);
-    state.takeJob({values::JobName {"WELD_A12"}, 47, 12, 8000}, start);
-    state.takeBasePosition(position(values::PositionType::Base, axes), start);
-    state.takePulsePosition(position(values::PositionType::Pulse, axes), start);
-    state.takeBaseAxisNames(names({"X", "Y", "Z", "Rx", "Ry", "Rz", "Re"}), start);
-    state.takePulseAxisNames(names({"S", "L", "U", "R", "B", "T", "E"}), start);
-    state.takeSystemInformation({values::FixedText<24> {"YAS4.12.00A(EN/EN)-00"},
-                                    values::FixedText<16> {"1-06VXH12-A0*"}, values::FixedText<8> {"12.34"}},
+    state.take<robot::Kind::Job>(0, {values::JobName {"WELD_A12"}, 47, 12, 8000}, start);
+    state.take<robot::Kind::Position>(
+        robot::topics::basePosition.number, position(values::PositionType::Base, axes), start);
+    state.take<robot::Kind::Position>(
+        robot::topics::pulsePosition.number, position(values::PositionType::Pulse, axes), start);
+    state.take<robot::Kind::AxisNames>(
+        robot::topics::baseAxisNames.number, names({"X", "Y", "Z", "Rx", "Ry", "Rz", "Re"}), start);
+    state.take<robot::Kind::AxisNames>(
+        robot::topics::pulseAxisNames.number, names({"S", "L", "U", "R", "B", "T", "E"}), start);
+    state.take<robot::Kind::SystemInformation>(robot::topics::systemInformation.number,
+        {values::FixedText<24> {"YAS4.12.00A(EN/EN)-00"}, values::FixedText<16> {"1-06VXH12-A0*"},
+            values::FixedText<8> {"12.34"}},
         start);
 }
 
@@ -87,7 +94,8 @@ struct Desk {
     settings::Profile profile;
     QWidget window;
     ui::Actions actions {&window};
-    pages::OverviewPage page {{state, profile, actions}};
+    robot::Controller controller {profile};
+    pages::OverviewPage page {{controller, state, profile, actions}};
 };
 
 bool lay(QWidget &widget, const QSize &size)
@@ -189,7 +197,8 @@ void TestOverviewPage::namesThatWereNotReadAreNotGuessed()
 {
     Desk desk;
     desk.state.setLinkUp(true, start);
-    desk.state.takeBasePosition(position(values::PositionType::Base, 6), start);
+    desk.state.take<robot::Kind::Position>(
+        robot::topics::basePosition.number, position(values::PositionType::Base, 6), start);
     QCOMPARE(desk.value("base1")->accessibleName(), QStringLiteral("axis 1: -1234.567"));
 }
 
@@ -209,7 +218,7 @@ void TestOverviewPage::refusedSaysWhy()
 {
     Desk desk;
     fill(desk.state);
-    desk.state.refuse(Topic::BasePosition, {values::ErrorKind::Refused, 0x1F, 0xA001, {}}, start);
+    desk.state.refuse(robot::topics::basePosition, {values::ErrorKind::Refused, 0x1F, 0xA001, {}}, start);
     QCOMPARE(desk.word("base1"), QStringLiteral("—"));
     QVERIFY(desk.value("base1")->toolTip().startsWith(QStringLiteral("Refused: 0xA001")));
     QCOMPARE(desk.word("mode"), QStringLiteral("REMOTE PLAY"));
@@ -224,7 +233,7 @@ void TestOverviewPage::contradictoryBitsAreShownAsReceived()
     using values::Status;
     Desk desk;
     desk.state.setLinkUp(true, start);
-    desk.state.takeStatus({Status::Data1 {Status::Teach} | Status::Play, {}}, start);
+    desk.state.take<robot::Kind::Status>(1, {Status::Data1 {Status::Teach} | Status::Play, {}}, start);
     QCOMPARE(desk.word("mode"), QStringLiteral("TEACH + PLAY"));
     QVERIFY(desk.value("mode")->shown().word.lamp == widgets::Lamp::Warning);
     QCOMPARE(desk.word("cycle"), QStringLiteral("NO CYCLE"));
@@ -236,7 +245,7 @@ void TestOverviewPage::jobNamesInThePendantsEncoding()
     profile.encoding = protocol::Encoding::ShiftJis;
     Desk desk {profile};
     fill(desk.state);
-    desk.state.takeJob({values::JobName {"\x97\x6E\x90\xDA"}, 0, 0, 10000}, start);
+    desk.state.take<robot::Kind::Job>(0, {values::JobName {"\x97\x6E\x90\xDA"}, 0, 0, 10000}, start);
     QCOMPARE(desk.word("job"), QStringLiteral("溶接"));
 }
 
@@ -306,7 +315,7 @@ void TestOverviewPage::longTextsAreNotClipped()
         desk.page.showStatistics({});
         QVERIFY(lay(desk.page, {width, 700}));
         QTRY_COMPARE(clipped(desk.page), QString());
-        desk.state.refuse(Topic::Status, {values::ErrorKind::Refused, 0x1F, 0xA001, {}}, start);
+        desk.state.refuse(robot::topics::status, {values::ErrorKind::Refused, 0x1F, 0xA001, {}}, start);
         QTRY_COMPARE(clipped(desk.page), QString());
     }
     QCoreApplication::removeTranslator(&translator);
