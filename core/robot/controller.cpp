@@ -60,6 +60,8 @@ Controller::Controller(settings::Profile profile, QObject *parent)
 
 Controller::~Controller() = default;
 
+session::Session *Controller::session() const { return m_link ? &m_link->session : nullptr; }
+
 session::LinkStatistics Controller::statistics() const
 {
     return m_link ? m_link->session.statistics() : session::LinkStatistics {};

@@ -12,6 +12,10 @@
 
 class QHostAddress;
 
+namespace session {
+class Session;
+}
+
 namespace robot {
 
 /// Where the link to a controller stands. *Connected* means that status and system information were answered.
@@ -66,7 +70,11 @@ Q_SIGNALS:
     void holdProgressChanged();
 
 private:
+    friend class Orders;
     struct Link;
+
+    /// For Orders; nullptr while there is no link. It may be another one whenever the link state changes.
+    [[nodiscard]] session::Session *session() const;
 
     void resolve();
     void openLink(const QHostAddress &address);

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "robot/arming.h"
+
+using namespace std::chrono_literals;
+using values::Status;
+
+namespace robot {
+
+namespace {
+
+Status::Data1 modeOf(const Status &status)
+{
+    return status.data1 & (Status::Data1 {Status::Teach} | Status::Play | Status::Remote);
+}
+
+} // namespace
+
+Arming::Arming(QObject *parent) : QObject {parent}
+{
+    connect(&m_clock, &QTimer::timeout, this, [this] { tick(std::chrono::steady_clock::now()); });
+}
+
+bool Arming::arm(const QObject &robot, const Situation &situation, Time now)
+{
+    if (obstacle(Act::Arm, situation))
+        return false;
+    if (m_robot && m_robot != &robot)
+        drop(Drop::OtherController);
+    m_robot = &robot;
+    m_mode = modeOf(*situation.status);
+    m_lastActivity = now;
+    m_lastDrop.reset();
+    m_clock.start(1s);
+    Q_EMIT changed();
+    return true;
+}
+
+void Arming::drop(Drop reason)
+{
+    if (!m_robot)
+        return;
+    m_robot = nullptr;
+    m_lastDrop = reason;
+    m_lastDropAt = QDateTime::currentDateTime();
+    m_clock.stop();
+    Q_EMIT changed();
+}
+
+void Arming::follow(const QObject &robot, const Situation &situation)
+{
+    if (!isArmed(robot))
+        return;
+    if (!situation.isLinkUp)
+        drop(Drop::CommunicationLost);
+    else if (situation.level < Level::Operate)
+        drop(Drop::AccessDropped);
+    else if (situation.status && situation.status->hasAlarm())
+        drop(Drop::Alarm);
+    else if (situation.status && modeOf(*situation.status) != m_mode)
+        drop(Drop::ModeChanged);
+}
+
+void Arming::tick(Time now)
+{
+    if (m_robot && now - m_lastActivity >= idleLimit)
+        drop(Drop::Idle);
+}
+
+} // namespace robot

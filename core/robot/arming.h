@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "robot/conditions.h"
+#include "robot/reading.h"
+#include "session/permit.h"
+#include <QObject>
+#include <QTimer>
+
+namespace robot {
+
+/// The only source of a session::Permit, and one object for the whole program, so that only one controller is armed at
+/// a time. It is armed by hand and dropped by many things; it never survives a lost link.
+class Arming : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class Drop {
+        ByHand,
+        Idle, ///< Nobody touched key or mouse for 60 s.
+        FocusLost,
+        ScreenLocked,
+        CommunicationLost,
+        ModeChanged, ///< TEACH, PLAY or REMOTE.
+        Alarm,
+        AccessDropped,
+        ProfileChanged,
+        SecondWindow,
+        OtherController, ///< Another one was armed.
+    };
+    static constexpr Milliseconds idleLimit {60'000};
+
+    explicit Arming(QObject *parent = nullptr);
+
+    /// Arms `robot`, which stands for one controller, if every condition of Act::Arm is met; what was armed before is
+    /// dropped. Returns whether it is armed.
+    bool arm(const QObject &robot, const Situation &situation, Time now);
+    /// Does nothing while nothing is armed.
+    void drop(Drop reason);
+
+    [[nodiscard]] bool isArmed() const { return m_robot; }
+    [[nodiscard]] bool isArmed(const QObject &robot) const { return m_robot == &robot; }
+    /// Why it was dropped the last time, and when by this computer's clock; nullopt while armed and before the first
+    /// time.
+    [[nodiscard]] const std::optional<Drop> &lastDrop() const { return m_lastDrop; }
+    [[nodiscard]] QDateTime lastDropAt() const { return m_lastDropAt; }
+
+    /// What is known of `robot` now; drops if that does not allow staying armed.
+    void follow(const QObject &robot, const Situation &situation);
+    /// Somebody used key or mouse.
+    void noteActivity(Time now) { m_lastActivity = now; }
+    /// Looks at the clock. It calls itself once a second.
+    void tick(Time now);
+
+    /// Calls `function` with a permit, within this call and never later, if `robot` is armed. Returns whether it was.
+    template <typename Function> bool withPermit(const QObject &robot, Function &&function) const
+    {
+        if (!isArmed(robot))
+            return false;
+        const session::Permit permit;
+        function(permit);
+        return true;
+    }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    const QObject *m_robot = nullptr; ///< Compared, never looked into.
+    values::Status::Data1 m_mode; ///< TEACH, PLAY and REMOTE when it was armed.
+    Time m_lastActivity {};
+    std::optional<Drop> m_lastDrop;
+    QDateTime m_lastDropAt;
+    QTimer m_clock;
+};
+
+} // namespace robot

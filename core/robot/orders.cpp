@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "robot/orders.h"
+
+#include "protocol/codes.h"
+#include <QSysInfo>
+
+using namespace std::chrono_literals;
+using values::Error;
+using values::ErrorKind;
+using values::Result;
+
+namespace robot {
+
+namespace {
+
+Time now() { return std::chrono::steady_clock::now(); }
+
+journal::Outcome outcomeOf(const Result<void> &result)
+{
+    if (result)
+        return journal::Outcome::Done;
+    switch (result.error().kind) {
+    case ErrorKind::Refused: return journal::Outcome::Refused;
+    case ErrorKind::NotSent:
+    case ErrorKind::BadInput:
+    case ErrorKind::LocalFile:
+    case ErrorKind::Cancelled: return journal::Outcome::Withheld;
+    default: return journal::Outcome::Unknown;
+    }
+}
+
+/// What came back, in plain English.
+QString replyText(const Error &error)
+{
+    if (error.kind == ErrorKind::UnknownOutcome)
+        return QStringLiteral("no answer");
+    if (error.kind != ErrorKind::Refused)
+        return error.detail;
+    const quint16 code = protocol::effectiveCode(error);
+    const auto *row = protocol::findStatusCode(code);
+    return row ? QLatin1String(row->meaning) : QStringLiteral("a code that is not in the code list");
+}
+
+/// Of whoever runs this program.
+QString userName() { return qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME")); }
+
+template <typename Value> std::optional<Value> fresh(const Reading<Value> &reading, Milliseconds period, bool isLinkUp)
+{
+    return reading.freshness(now(), period, isLinkUp) == Freshness::Live ? reading.value : std::nullopt;
+}
+
+} // namespace
+
+Attempt::Attempt(
+    const Order &order, const journal::OrderRecord &blank, QObject *context, OrderHandler handler, QObject *parent)
+    : QObject {parent}, m_record {blank}, m_context {context}, m_handler {std::move(handler)}
+{
+    m_record.action = QLatin1String(key(order.act));
+    m_record.subject = order.subject;
+    m_record.oldValue = order.oldValue;
+    m_record.newValue = order.newValue;
+    m_timer.start();
+}
+
+Attempt::~Attempt() { end(values::failure(ErrorKind::UnknownOutcome)); }
+
+void Attempt::end(const Result<void> &result)
+{
+    if (std::exchange(m_isEnded, true))
+        return;
+    m_record.duration = Milliseconds {m_timer.elapsed()};
+    m_record.outcome = outcomeOf(result);
+    if (!result) {
+        m_record.status = result.error().status;
+        m_record.added = result.error().addedStatus;
+        m_record.reply = replyText(result.error());
+    }
+    Q_EMIT ended(m_record);
+    deleteLater();
+    if (m_context && m_handler)
+        std::exchange(m_handler, {})(result);
+}
+
+Orders::Orders(Controller &controller, Access &access, Arming &arming, QObject *parent)
+    : QObject {parent},
+      m_controller {controller},
+      m_access {access},
+      m_arming {arming},
+      m_isNumberingVerified {controller.profile().isSimulation}
+{
+    connect(&controller, &Controller::linkStateChanged, this, &Orders::onLinkStateChanged);
+    connect(&controller, &Controller::holdProgressChanged, this, &Orders::onHoldProgressChanged);
+    connect(&controller.state(), &RobotState::changed, this, &Orders::update);
+    connect(&access, &Access::levelChanged, this, &Orders::update);
+    connect(&arming, &Arming::changed, this, &Orders::update);
+    update();
+}
+
+Orders::~Orders()
+{
+    for (Attempt *attempt : findChildren<Attempt *>())
+        attempt->end(values::failure(ErrorKind::UnknownOutcome));
+    if (isArmed())
+        m_arming.drop(Arming::Drop::ProfileChanged);
+}
+
+session::Session *Orders::session() const { return m_controller.session(); }
+
+Situation Orders::look() const
+{
+    Situation situation;
+    situation.isLinkUp = m_controller.linkState() == LinkState::Monitoring;
+    situation.level = m_access.level();
+    situation.isArmed = isArmed();
+    situation.status = fresh(m_controller.state().status(), 100ms, situation.isLinkUp);
+    situation.job = fresh(m_controller.state().job(), 250ms, situation.isLinkUp);
+    situation.isNumberingVerified = m_isNumberingVerified;
+    situation.canModelMove = m_controller.profile().dialect().hasMoves;
+    return situation;
+}
+
+void Orders::setNumberingVerified(bool verified)
+{
+    m_isNumberingVerified = verified;
+    update();
+}
+
+journal::OrderRecord Orders::blank() const
+{
+    journal::OrderRecord record;
+    record.at = QDateTime::currentDateTimeUtc();
+    record.user = userName();
+    record.host = QSysInfo::machineHostName();
+    record.level = QLatin1String(key(m_access.level()));
+    record.controller = m_controller.profile().name;
+    return record;
+}
+
+Attempt *Orders::attempt(const Order &order, QObject *context, OrderHandler handler)
+{
+    auto *attempt = new Attempt {order, blank(), context, std::move(handler), this};
+    connect(attempt, &Attempt::ended, this, &Orders::noteLock);
+    connect(attempt, &Attempt::ended, this, &Orders::recorded);
+    return attempt;
+}
+
+Attempt *Orders::begin(const Order &order, QObject *context, OrderHandler handler)
+{
+    Attempt *attempt = this->attempt(order, context, std::move(handler));
+    if (const auto obstacle = this->obstacle(order.act)) {
+        const auto withheld = values::failure(ErrorKind::NotSent, QLatin1String(title(*obstacle)));
+        QMetaObject::invokeMethod(
+            attempt, [attempt, withheld] { attempt->end(withheld); }, Qt::QueuedConnection);
+        return nullptr;
+    }
+    connect(
+        this, &Orders::linkDropped, attempt, [attempt] { attempt->end(values::failure(ErrorKind::UnknownOutcome)); });
+    return attempt;
+}
+
+void Orders::servoOff(QObject *context, OrderHandler handler)
+{
+    Attempt *attempt = this->attempt({Act::ServoOff}, context, std::move(handler));
+    const auto unknown = [attempt] { attempt->end(values::failure(ErrorKind::UnknownOutcome)); };
+    if (!session()) {
+        QMetaObject::invokeMethod(attempt, unknown, Qt::QueuedConnection);
+        return;
+    }
+    auto *order = new StopOrder {Stop::ServoOff, *session(), session()};
+    connect(order, &QObject::destroyed, attempt, unknown); // with the link
+    connect(order, &StopOrder::finished, attempt, [=](StopOrder::Outcome outcome, const std::optional<Error> &refusal) {
+        switch (outcome) {
+        case StopOrder::Outcome::Confirmed: return attempt->end({});
+        case StopOrder::Outcome::Refused: return attempt->end(tl::unexpected(refusal.value_or(Error {})));
+        case StopOrder::Outcome::Unconfirmed: return unknown();
+        }
+    });
+    order->start();
+}
+
+/// HOLD can be ordered again before it is confirmed; that is one attempt.
+void Orders::onHoldProgressChanged()
+{
+    const HoldProgress progress = m_controller.holdProgress();
+    const bool isNowhereToSend = progress == HoldProgress::Unconfirmed && !session();
+    if (!m_hold && (progress == HoldProgress::Sent || isNowhereToSend))
+        m_hold = attempt({Act::Hold}, nullptr, {});
+    if (!m_hold || progress == HoldProgress::Sent)
+        return;
+    if (progress == HoldProgress::Confirmed)
+        m_hold->end({});
+    else if (progress == HoldProgress::Refused)
+        m_hold->end(tl::unexpected(m_controller.holdRefusal().value_or(Error {})));
+    else
+        m_hold->end(values::failure(ErrorKind::UnknownOutcome));
+    m_hold.clear();
+}
+
+bool Orders::arm() { return m_arming.arm(*this, look(), now()); }
+
+void Orders::onLinkStateChanged()
+{
+    update();
+    if (!m_situation.isLinkUp)
+        Q_EMIT linkDropped();
+}
+
+void Orders::update()
+{
+    Situation situation = look();
+    m_arming.follow(*this, situation); // it may drop, which leads here again
+    situation.isArmed = isArmed();
+    if (std::exchange(m_situation, situation) != situation)
+        Q_EMIT situationChanged();
+}
+
+void Orders::noteLock(const journal::OrderRecord &record)
+{
+    const bool isLock = record.action == QLatin1String(key(Act::HlockOn));
+    if (record.outcome == journal::Outcome::Withheld || (!isLock && record.action != QLatin1String(key(Act::HlockOff))))
+        return;
+    const bool isDone = record.outcome == journal::Outcome::Done;
+    const bool isLocked = isLock ? isDone || record.outcome == journal::Outcome::Unknown : m_isPendantLocked && !isDone;
+    if (std::exchange(m_isPendantLocked, isLocked) != isLocked)
+        Q_EMIT pendantLockChanged();
+}
+
+} // namespace robot

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "journal/record.h"
+#include "protocol/requests.h"
+#include "robot/access.h"
+#include "robot/arming.h"
+#include "robot/conditions.h"
+#include "robot/controller.h"
+#include "session/session.h"
+#include <QElapsedTimer>
+#include <QPointer>
+
+namespace robot {
+
+/// What is ordered, in the words that the journal keeps.
+struct Order {
+    Act act = Act::Hold;
+    QString subject {}; ///< As on the pendant: "M005", "#27010", "WELD_A12".
+    QString oldValue {}; ///< As last read; empty if it was not.
+    QString newValue {};
+};
+
+/// How an order ended: done, or an Error of kind NotSent (a condition was not met), Refused or UnknownOutcome.
+using OrderHandler = std::function<void(const values::Result<void> &)>;
+
+/// One try to change something. Whoever carries it out tells its end; the journal hears of it exactly once. An attempt
+/// that is deleted before its end was told ends with UnknownOutcome.
+class Attempt : public QObject
+{
+    Q_OBJECT
+
+public:
+    ~Attempt() override;
+
+    /// The first end counts. The attempt deletes itself.
+    void end(const values::Result<void> &result);
+
+Q_SIGNALS:
+    void ended(const journal::OrderRecord &record);
+
+private:
+    friend class Orders;
+    Attempt(
+        const Order &order, const journal::OrderRecord &blank, QObject *context, OrderHandler handler, QObject *parent);
+
+    journal::OrderRecord m_record;
+    QElapsedTimer m_timer;
+    QPointer<QObject> m_context;
+    OrderHandler m_handler;
+    bool m_isEnded = false;
+};
+
+/// A read under way: it is settled once.
+class Question : public QObject
+{
+public:
+    using QObject::QObject;
+    bool settle()
+    {
+        deleteLater();
+        return !std::exchange(m_isSettled, true);
+    }
+
+private:
+    bool m_isSettled = false;
+};
+
+/// The one door through which everything goes that changes something at a controller. Each order is checked against
+/// its conditions, sent once, and ends in a record, whether it was done, refused, withheld or never answered.
+///
+///     orders.send(SelectCycle {CycleMode::Step}, {Act::SelectCycle, {}, tr("continuous"), tr("step")}, this,
+///         [this](const values::Result<void> &result) { … });
+///
+/// A handler runs exactly once, from the event loop and never from inside the call that gave it; not at all after its
+/// context is gone, which does not call the order back. Everything under way ends as unknown when the link is lost or
+/// closed; nothing is kept to be sent later.
+class Orders : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// All of them must outlive the orders.
+    Orders(Controller &controller, Access &access, Arming &arming, QObject *parent = nullptr);
+    /// What is still under way is recorded as unknown, and the controller is no longer armed.
+    ~Orders() override;
+
+    [[nodiscard]] Controller &controller() const { return m_controller; }
+    [[nodiscard]] Access &access() const { return m_access; }
+    [[nodiscard]] Arming &arming() const { return m_arming; }
+
+    /// What the conditions are judged by now.
+    [[nodiscard]] const Situation &situation() const { return m_situation; }
+    [[nodiscard]] QList<Finding> findings(Act act) const { return robot::findings(act, m_situation); }
+    [[nodiscard]] std::optional<Condition> obstacle(Act act) const { return robot::obstacle(act, m_situation); }
+    /// Which instance a variable has was compared with the pendant (reference §10.1); true for a simulation.
+    void setNumberingVerified(bool verified);
+
+    /// Sends an order once, if every condition of its act is met.
+    template <protocol::TypedRequest R>
+    requires(R::effect != protocol::Effect::Reads && R::effect != protocol::Effect::Stops) void send(
+        const R &request, const Order &order, QObject *context, OrderHandler handler)
+    {
+        Attempt *attempt = begin(order, context, std::move(handler));
+        if (!attempt)
+            return;
+        const auto onReply = [attempt](const values::Result<void> &reply) { attempt->end(reply); };
+        if constexpr (protocol::needsPermit(R::effect)) {
+            const bool isSent = m_arming.withPermit(
+                *this, [&](const session::Permit &permit) { session()->send(request, permit, attempt, onReply); });
+            Q_ASSERT(isSent); // every act that starts or moves has the condition Armed
+        } else {
+            session()->send(request, attempt, onReply);
+        }
+    }
+
+    /// Reads something that belongs to a procedure, such as the read back after a write. NotSent without a link,
+    /// NoAnswer when the link is lost on the way.
+    template <protocol::TypedRequest R, typename Handler>
+    requires(R::effect == protocol::Effect::Reads) void read(const R &request, QObject *context, Handler handler)
+    {
+        auto *question = new Question {this};
+        const auto tell = [question, context = QPointer {context}, handler](
+                              const values::Result<typename R::Reply> &reply) {
+            if (question->settle() && context)
+                handler(reply);
+        };
+        const auto fail = [tell](values::ErrorKind kind) { tell(values::failure(kind)); };
+        if (!m_situation.isLinkUp) {
+            const auto notSent = [fail]() { fail(values::ErrorKind::NotSent); };
+            QMetaObject::invokeMethod(question, notSent, Qt::QueuedConnection);
+            return;
+        }
+        connect(this, &Orders::linkDropped, question, [fail]() { fail(values::ErrorKind::NoAnswer); });
+        session()->send(request, question, tell);
+    }
+
+    /// Checks the conditions of something that goes another way, such as a file. Returns nullptr if it is withheld,
+    /// else whoever carries it out must call Attempt::end().
+    [[nodiscard]] Attempt *begin(const Order &order, QObject *context, OrderHandler handler);
+
+    /// HOLD on and servo off: always possible, see StopOrder. Controller::hold() is recorded too.
+    void hold() { m_controller.hold(); }
+    void servoOff(QObject *context, OrderHandler handler);
+
+    /// Arms this controller; returns false if a condition is not met.
+    bool arm();
+    [[nodiscard]] bool isArmed() const { return m_arming.isArmed(*this); }
+    /// HLOCK was switched on from here and not off again; the controller does not tell.
+    [[nodiscard]] bool isPendantLocked() const { return m_isPendantLocked; }
+
+Q_SIGNALS:
+    /// An order came to its end.
+    void recorded(const journal::OrderRecord &record);
+    /// Something that conditions look at is another than before.
+    void situationChanged();
+    void pendantLockChanged();
+    /// The link was lost or closed.
+    void linkDropped();
+
+private:
+    [[nodiscard]] session::Session *session() const;
+    [[nodiscard]] journal::OrderRecord blank() const;
+    [[nodiscard]] Situation look() const;
+    Attempt *attempt(const Order &order, QObject *context, OrderHandler handler);
+    void onLinkStateChanged();
+    void update();
+    void onHoldProgressChanged();
+    void noteLock(const journal::OrderRecord &record);
+
+    Controller &m_controller;
+    Access &m_access;
+    Arming &m_arming;
+    bool m_isNumberingVerified;
+    Situation m_situation;
+    bool m_isPendantLocked = false;
+    QPointer<Attempt> m_hold;
+};
+
+} // namespace robot

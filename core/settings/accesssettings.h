@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <chrono>
+#include <optional>
+
+class QSettings;
+
+namespace settings {
+
+/// A passcode as it is kept: salted and hashed (PBKDF2 with SHA-256). It guards against mistakes, not against
+/// attackers: whoever can change this user's files can change it.
+struct Passcode {
+    QByteArray salt;
+    QByteArray hash;
+
+    [[nodiscard]] static Passcode of(const QString &text); ///< With a salt of its own.
+    [[nodiscard]] bool matches(const QString &text) const;
+    bool operator==(const Passcode &) const = default;
+};
+
+/// How the access levels are entered and left.
+struct AccessSettings {
+    std::chrono::minutes idleTime {10}; ///< Until the level falls back to Monitor; 1 to 480.
+    std::optional<Passcode> passcode; ///< None: the levels are entered without.
+
+    bool operator==(const AccessSettings &) const = default;
+};
+
+/// What is not there, or not a number in range, is as in a new AccessSettings; a damaged passcode matches nothing.
+[[nodiscard]] AccessSettings readAccess(const QSettings &settings);
+void writeAccess(QSettings &settings, const AccessSettings &access);
+
+} // namespace settings

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "robot/access.h"
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace std::chrono_literals;
+using robot::Access;
+using robot::Level;
+using settings::AccessSettings;
+using settings::Passcode;
+
+class TestAccess : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void beginsAtMonitor()
+    {
+        Access access;
+        QVERIFY(access.level() == Level::Monitor);
+        QVERIFY(!access.needsPasscode(Level::Engineer));
+    }
+
+    void goesUpAndDown()
+    {
+        Access access;
+        QSignalSpy changes {&access, &Access::levelChanged};
+        QVERIFY(access.enter(Level::Engineer) == Access::Answer::Entered);
+        QVERIFY(access.level() == Level::Engineer);
+        QVERIFY(access.enter(Level::Operate) == Access::Answer::Entered);
+        QVERIFY(access.enter(Level::Operate) == Access::Answer::Entered);
+        QCOMPARE(changes.count(), 2);
+    }
+
+    void fallsBackWhenIdle()
+    {
+        AccessSettings settings;
+        settings.idleTime = 5min;
+        Access access {settings};
+        QVERIFY(access.enter(Level::Operate) == Access::Answer::Entered);
+        const auto begin = std::chrono::steady_clock::now();
+        access.noteActivity(begin);
+        access.tick(begin + 4min);
+        QVERIFY(access.level() == Level::Operate);
+        access.noteActivity(begin + 4min);
+        access.tick(begin + 9min - 1ms);
+        QVERIFY(access.level() == Level::Operate);
+        QSignalSpy changes {&access, &Access::levelChanged};
+        access.tick(begin + 9min);
+        QVERIFY(access.level() == Level::Monitor);
+        QCOMPARE(changes.count(), 1);
+    }
+
+    void thePasscodeIsAskedOnTheWayUp()
+    {
+        AccessSettings settings;
+        settings.passcode = Passcode::of(QStringLiteral("forty-two"));
+        Access access {settings};
+        QVERIFY(access.needsPasscode(Level::Operate));
+        QVERIFY(access.enter(Level::Operate) == Access::Answer::WrongPasscode);
+        QVERIFY(access.enter(Level::Operate, QStringLiteral("Forty-two")) == Access::Answer::WrongPasscode);
+        QVERIFY(access.level() == Level::Monitor);
+        QVERIFY(access.enter(Level::Engineer, QStringLiteral("forty-two")) == Access::Answer::Entered);
+        QVERIFY(!access.needsPasscode(Level::Operate));
+        QVERIFY(access.enter(Level::Operate) == Access::Answer::Entered);
+        QVERIFY(access.needsPasscode(Level::Engineer));
+        QVERIFY(access.enter(Level::Monitor) == Access::Answer::Entered);
+    }
+
+    void monitorOnlyHasNoOtherLevel()
+    {
+        Access access;
+        QVERIFY(access.enter(Level::Engineer) == Access::Answer::Entered);
+        access.restrictToMonitor();
+        QVERIFY(access.level() == Level::Monitor);
+        QVERIFY(access.enter(Level::Operate) == Access::Answer::MonitorOnly);
+        QVERIFY(access.level() == Level::Monitor);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAccess)
+#include "tst_access.moc"

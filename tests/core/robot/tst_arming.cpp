@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "robot/arming.h"
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace std::chrono_literals;
+using namespace robot;
+using values::Status;
+
+namespace {
+
+constexpr Time begin {1h};
+
+Situation ready()
+{
+    Situation situation;
+    situation.isLinkUp = true;
+    situation.level = Level::Operate;
+    situation.status = Status {Status::Data1 {Status::Remote} | Status::Play | Status::OneCycle, {}};
+    return situation;
+}
+
+using Change = void (*)(Situation &);
+
+} // namespace
+
+class TestArming : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void givesAPermitOnlyWhileArmed()
+    {
+        Arming arming;
+        int calls = 0;
+        const auto use = [&](const session::Permit &) { ++calls; };
+        QVERIFY(!arming.withPermit(m_robot, use));
+        QVERIFY(arming.arm(m_robot, ready(), begin));
+        QVERIFY(arming.withPermit(m_robot, use));
+        QVERIFY(!arming.withPermit(m_other, use));
+        arming.drop(Arming::Drop::ByHand);
+        QVERIFY(!arming.withPermit(m_robot, use));
+        QCOMPARE(calls, 1);
+    }
+
+    void needsItsConditions_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::newRow("no link") << Change {[](Situation &s) { s.isLinkUp = false; }};
+        QTest::newRow("Monitor") << Change {[](Situation &s) { s.level = Level::Monitor; }};
+        QTest::newRow("no status") << Change {[](Situation &s) { s.status.reset(); }};
+        QTest::newRow("no REMOTE") << Change {[](Situation &s) { s.status->data1.setFlag(Status::Remote, false); }};
+        QTest::newRow("no PLAY") << Change {[](Situation &s) { s.status->data1.setFlag(Status::Play, false); }};
+        QTest::newRow("TEACH") << Change {[](Situation &s) { s.status->data1.setFlag(Status::Teach); }};
+        QTest::newRow("alarm") << Change {[](Situation &s) { s.status->data2.setFlag(Status::Alarm); }};
+    }
+
+    void needsItsConditions()
+    {
+        QFETCH(Change, change);
+        Arming arming;
+        Situation situation = ready();
+        change(situation);
+        QVERIFY(!arming.arm(m_robot, situation, begin));
+        QVERIFY(!arming.isArmed());
+    }
+
+    void drops_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<int>("reason"); // -1: it stays armed
+        const auto row = [](const char *name, Change change, std::optional<Arming::Drop> reason) {
+            QTest::newRow(name) << change << (reason ? int(*reason) : -1);
+        };
+        using Drop = Arming::Drop;
+        row("nothing", [](Situation &) {}, {});
+        row(
+            "link lost", [](Situation &s) { s.isLinkUp = false; }, Drop::CommunicationLost);
+        row(
+            "access fell back", [](Situation &s) { s.level = Level::Monitor; }, Drop::AccessDropped);
+        row("more access", [](Situation &s) { s.level = Level::Engineer; }, {});
+        row(
+            "alarm", [](Situation &s) { s.status->data2.setFlag(Status::Alarm); }, Drop::Alarm);
+        row(
+            "REMOTE off", [](Situation &s) { s.status->data1.setFlag(Status::Remote, false); }, Drop::ModeChanged);
+        row(
+            "PLAY off", [](Situation &s) { s.status->data1.setFlag(Status::Play, false); }, Drop::ModeChanged);
+        row(
+            "TEACH on", [](Situation &s) { s.status->data1.setFlag(Status::Teach); }, Drop::ModeChanged);
+        row("another cycle", [](Situation &s) { s.status->data1 ^= Status::Data1 {Status::OneCycle} | Status::Step; },
+            {});
+        row("error", [](Situation &s) { s.status->data2.setFlag(Status::Error); }, {});
+        row("running", [](Situation &s) { s.status->data1.setFlag(Status::Running); }, {});
+        row("held", [](Situation &s) { s.status->data2.setFlag(Status::HeldByPendant); }, {});
+        row("a late status", [](Situation &s) { s.status.reset(); }, {});
+    }
+
+    void drops()
+    {
+        QFETCH(Change, change);
+        QFETCH(int, reason);
+        Arming arming;
+        QVERIFY(arming.arm(m_robot, ready(), begin));
+        QSignalSpy changes {&arming, &Arming::changed};
+        Situation situation = ready();
+        change(situation);
+        arming.follow(m_other, situation); // somebody else's news
+        QVERIFY(arming.isArmed(m_robot));
+        arming.follow(m_robot, situation);
+        QCOMPARE(arming.isArmed(m_robot), reason < 0);
+        QCOMPARE(arming.lastDrop() ? int(*arming.lastDrop()) : -1, reason);
+        QCOMPARE(changes.count(), reason < 0 ? 0 : 1);
+        arming.follow(m_robot, ready());
+        QCOMPARE(arming.isArmed(m_robot), reason < 0); // it never comes back by itself
+    }
+
+    void dropsWhenIdle()
+    {
+        Arming arming;
+        QVERIFY(arming.arm(m_robot, ready(), begin));
+        arming.tick(begin + 59s);
+        QVERIFY(arming.isArmed());
+        arming.noteActivity(begin + 59s);
+        arming.tick(begin + 118s);
+        QVERIFY(arming.isArmed());
+        arming.tick(begin + 119s);
+        QVERIFY(!arming.isArmed());
+        QVERIFY(arming.lastDrop() == Arming::Drop::Idle);
+    }
+
+    void oneControllerOnly()
+    {
+        Arming arming;
+        QVERIFY(arming.arm(m_robot, ready(), begin));
+        QSignalSpy changes {&arming, &Arming::changed};
+        QVERIFY(arming.arm(m_other, ready(), begin));
+        QVERIFY(!arming.isArmed(m_robot));
+        QVERIFY(arming.isArmed(m_other));
+        QCOMPARE(changes.count(), 2);
+    }
+
+private:
+    QObject m_robot;
+    QObject m_other;
+};
+
+QTEST_GUILESS_MAIN(TestArming)
+#include "tst_arming.moc"
