@@ -15,6 +15,7 @@ libqt6sql6-sqlite
 qt6-tools-dev
 qt6-tools-dev-tools
 qt6-l10n-tools
+qt6-translations-l10n
 qt6-svg-dev libqt6svg6-dev
 qt6-wayland
 libexpected-dev libtl-expected-dev

@@ -4,6 +4,7 @@
 #include "options.h"
 #include "pictures.h"
 #include "timings.h"
+#include "ui/language.h"
 #include "ui/mainwindow.h"
 #include <QApplication>
 #include <QSettings>
@@ -46,6 +47,7 @@ int run(const Options &options, QApplication &application)
 {
     QSettings file;
     settings::ProfileStore store {file};
+    ui::speak(application, options.language);
     ui::apply(application, options.scheme.value_or(ui::schemeOf(QApplication::palette())));
     Demo demo;
     const auto target = wanted(options, demo);

@@ -3,6 +3,7 @@
 #include "options.h"
 
 #include "settings/commandline.h"
+#include "ui/language.h"
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
@@ -30,6 +31,8 @@ void describe(QCommandLineParser &parser)
     add("demo", Texts::tr("Connect to a simulated controller inside the program."));
     settings::addConnectionOptions(parser);
     add("theme", Texts::tr("light, dark, or auto for the desktop's choice."), QStringLiteral("T"));
+    add("language", Texts::tr("Language of the window, as a code such as de; the desktop's unless told otherwise."),
+        QStringLiteral("CODE"));
     add("monitor-only", Texts::tr("Allow watching and HOLD alone. This release does nothing else."));
     add("pictures", Texts::tr("Write pictures of every page to this folder, print the status read, and end."),
         QStringLiteral("DIR"));
@@ -60,6 +63,20 @@ values::Result<void> readTheme(const QCommandLineParser &parser, Options &option
     return {};
 }
 
+values::Result<void> readLanguage(const QCommandLineParser &parser, Options &options)
+{
+    options.language = ui::desktopLanguage();
+    if (!parser.isSet(QStringLiteral("language")))
+        return {};
+    options.language = parser.value(QStringLiteral("language"));
+    QStringList known;
+    for (const ui::Language &language : ui::languages())
+        known << QLatin1String(language.code);
+    if (!known.contains(options.language))
+        return mistake(Texts::tr("--language must be one of: %1.").arg(known.join(u", ")));
+    return {};
+}
+
 } // namespace
 
 values::Result<Options> parse(const QStringList &arguments, const settings::ProfileStore &store)
@@ -79,6 +96,8 @@ values::Result<Options> parse(const QStringList &arguments, const settings::Prof
         return mistake(Texts::tr("“%1” is not an option.").arg(parser.positionalArguments().constFirst()));
     if (const auto theme = readTheme(parser, options); !theme)
         return tl::unexpected(theme.error());
+    if (const auto language = readLanguage(parser, options); !language)
+        return tl::unexpected(language.error());
     if (const auto read = readTarget(parser, store, options); !read)
         return tl::unexpected(read.error());
     options.wantsTimings = parser.isSet(QStringLiteral("timings"));

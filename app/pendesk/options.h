@@ -14,6 +14,7 @@ struct Options {
     bool isDemo = false;
     std::optional<settings::Profile> target; ///< Connect to it at once.
     std::optional<ui::Scheme> scheme; ///< Empty: the desktop's.
+    QString language; ///< Code of one of ui::languages().
     bool wantsTimings = false;
     QString pictures; ///< Folder for pictures; empty: none wanted.
     QString text; ///< Set by --help and --version: print it and end.
