@@ -4,6 +4,7 @@
 
 #include "values/alarm.h"
 #include <QDateTime>
+#include <QList>
 #include <QString>
 #include <chrono>
 
@@ -46,5 +47,51 @@ struct AlarmRecord {
 
     bool operator==(const AlarmRecord &) const = default;
 };
+
+/// Where an active alarm stands with the people at this desk (ISA-18.2). The robot never hears of it.
+enum class AlarmState {
+    Unacknowledged, ///< Active, and nobody has said that they saw it.
+    Acknowledged, ///< Active and seen by a person.
+    ClearedUnacknowledged, ///< Gone before anybody said that they saw it.
+    Cleared,
+};
+
+/// One alarm, known by its code and sub code, as it came and went among the active ones.
+struct Sighting {
+    QString controller; ///< Name of the profile.
+    values::AlarmWithTexts alarm; ///< As last read; the time in it is the controller's own.
+    QDateTime firstSeen; ///< UTC, by this computer's clock: when it was read for the first time ever.
+    QDateTime lastSeen; ///< UTC, when it was last read.
+    quint32 count = 1; ///< How often it came since `firstSeen`.
+    AlarmState state = AlarmState::Unacknowledged;
+
+    bool operator==(const Sighting &) const = default;
+};
+
+/// What the people of a plant know about an alarm code.
+struct Note {
+    quint32 code = 0;
+    QString cause; ///< What it came from.
+    QString remedy; ///< What was done.
+    QString author;
+    QDateTime changed; ///< UTC.
+
+    /// A note without words is none.
+    [[nodiscard]] bool isEmpty() const { return cause.isEmpty() && remedy.isEmpty(); }
+    bool operator==(const Note &) const = default;
+};
+
+/// A list of past alarms as it was read from a controller, to be merged into the history; see history.h.
+struct HistoryReading {
+    QString controller; ///< Name of the profile.
+    values::AlarmHistoryClass list = values::AlarmHistoryClass::Major;
+    QList<values::AlarmWithTexts>
+        entries; ///< The newest first, down to where isEnough() became true or the list ended.
+    QDateTime seen; ///< UTC.
+};
+
+/// Untranslated names, as in exported files: "done"; "major", "user-system".
+[[nodiscard]] const char *key(Outcome outcome);
+[[nodiscard]] const char *key(values::AlarmHistoryClass list);
 
 } // namespace journal

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "values/error.h"
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QUrl>
+#include <functional>
+#include <unordered_map>
+
+namespace journal {
+
+/// The connection to the journal's database: SQLite for a file URL, PostgreSQL for "postgresql://user@host/database".
+/// It belongs to the thread that opens it. For the store's worker only; every call may block.
+class Database
+{
+public:
+    explicit Database(QUrl place);
+    ~Database();
+    Q_DISABLE_COPY_MOVE(Database)
+
+    /// Opens it and brings the tables up to date, unless that is done. A damaged file is set aside under another name
+    /// and a new one begun.
+    [[nodiscard]] values::Result<void> open();
+    void close();
+
+    /// Runs one statement with a value for each "?". The query is good until the next run of the same statement.
+    [[nodiscard]] values::Result<QSqlQuery *> run(const QString &statement, const QVariantList &bound = {});
+    /// All of `work` or nothing of it. No other desk writes meanwhile.
+    [[nodiscard]] values::Result<void> inTransaction(const std::function<values::Result<void>()> &work);
+
+    /// The last error says that the file is damaged. The next open() sets it aside.
+    [[nodiscard]] bool isDamaged() const { return m_isDamaged; }
+    /// Where a damaged file was put since the last call; empty if none was.
+    [[nodiscard]] QString takeSetAside() { return std::exchange(m_setAside, {}); }
+
+private:
+    [[nodiscard]] bool isFile() const { return m_place.isLocalFile(); }
+    [[nodiscard]] values::Result<void> connect();
+    [[nodiscard]] values::Result<void> prepare();
+    [[nodiscard]] values::Result<void> migrate();
+    [[nodiscard]] values::Result<int> version();
+    [[nodiscard]] values::Result<void> setAside();
+    [[nodiscard]] values::Result<void> execute(const QString &statement);
+    [[nodiscard]] tl::unexpected<values::Error> failure(const QSqlError &error);
+
+    QUrl m_place;
+    QString m_connection; ///< Qt's name of the connection; empty while closed.
+    std::unordered_map<QString, QSqlQuery> m_statements; ///< Prepared ones, by their text.
+    QString m_setAside;
+    bool m_isDamaged = false;
+};
+
+} // namespace journal

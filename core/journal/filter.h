@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "journal/alarmstatistics.h"
+#include "journal/record.h"
+#include <limits>
+
+namespace journal {
+
+/// Which orders. What is left empty allows everything.
+struct OrderFilter {
+    QDateTime from; ///< UTC, inclusive.
+    QDateTime to; ///< UTC, exclusive.
+    QString controller;
+    QString action;
+    std::optional<Outcome> outcome;
+    QString text; ///< Contained in any text of the record; case does not matter for ASCII.
+};
+
+/// Which past alarms. What is left empty allows everything.
+struct AlarmFilter {
+    QString controller;
+    std::optional<values::AlarmHistoryClass> list;
+};
+
+/// Where the next page begins. The default is the newest record.
+struct Cursor {
+    qint64 at = std::numeric_limits<qint64>::max();
+    qint64 id = std::numeric_limits<qint64>::max();
+
+    bool operator==(const Cursor &) const = default;
+};
+
+/// Records, the newest first, and where it goes on; nullopt at the end.
+template <typename Record> struct Page {
+    QList<Record> records;
+    std::optional<Cursor> next;
+};
+
+} // namespace journal

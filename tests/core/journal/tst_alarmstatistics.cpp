@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "journal/alarmstatistics.h"
+#include <QTest>
+
+using namespace journal;
+using namespace std::chrono_literals;
+
+namespace {
+
+values::AlarmWithTexts entry(quint32 code, const QByteArray &time)
+{
+    values::AlarmWithTexts one;
+    one.alarm.code = code;
+    one.alarm.time = values::FixedText<16> {time};
+    return one;
+}
+
+} // namespace
+
+class TestAlarmStatistics : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void meanTimeBetween_data()
+    {
+        QTest::addColumn<QByteArrayList>("times"); // the oldest first
+        QTest::addColumn<int>("minutes"); // -1: cannot be told
+        QTest::newRow("one") << QByteArrayList {"2026/01/01 08:00"} << -1;
+        QTest::newRow("an hour apart") << QByteArrayList {"2026/01/01 08:00", "2026/01/01 09:00"} << 60;
+        QTest::newRow("one hour, two hours")
+            << QByteArrayList {"2026/01/01 08:00", "2026/01/01 09:00", "2026/01/01 11:00"} << 90;
+        QTest::newRow("in one minute") << QByteArrayList {"2026/01/01 08:00", "2026/01/01 08:00"} << 0;
+        QTest::newRow("clock never set") << QByteArrayList {"1970/01/01 00:05", "1970/01/01 00:25"} << 20;
+        QTest::newRow("clock set between")
+            << QByteArrayList {"1970/01/01 00:05", "2026/01/01 08:00", "2026/01/01 08:10"} << 10;
+        QTest::newRow("clock set back between")
+            << QByteArrayList {"2026/01/01 08:00", "2025/12/31 08:00", "2025/12/31 08:30"} << 30;
+        QTest::newRow("no date") << QByteArrayList {"2026/01/01 08:00", "????", "2026/01/01 09:00"} << -1;
+        QTest::newRow("over the hour that a summer time skips")
+            << QByteArrayList {"2026/03/29 01:30", "2026/03/29 03:30"} << 120;
+    }
+
+    void meanTimeBetween()
+    {
+        QFETCH(const QByteArrayList, times);
+        QFETCH(const int, minutes);
+        AlarmStatistics statistics;
+        for (const QByteArray &time : times)
+            statistics.add(entry(4416, time));
+        const auto found = statistics.top(10);
+        QCOMPARE(found.size(), 1);
+        QCOMPARE(found.first().count, int(times.size()));
+        QCOMPARE(found.first().meanBetween.has_value(), minutes >= 0);
+        QCOMPARE(found.first().meanBetween.value_or(-1min).count(), minutes);
+    }
+
+    void theMostFrequentComesFirst()
+    {
+        AlarmStatistics statistics;
+        for (const quint32 code : {7, 5, 9, 5, 9, 1})
+            statistics.add(entry(code, "2026/01/01 08:00"));
+        QList<quint32> codes;
+        for (const auto &one : statistics.top(3))
+            codes += one.code;
+        QCOMPARE(codes, (QList<quint32> {5, 9, 1}));
+        QCOMPARE(AlarmStatistics {}.top(10).size(), 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAlarmStatistics)
+#include "tst_alarmstatistics.moc"
