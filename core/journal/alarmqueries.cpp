@@ -90,7 +90,7 @@ Result<void> write(Database &database, const Sighting &sighting)
 
 Result<void> write(Database &database, const HistoryReading &reading)
 {
-    const auto known = alarms(database, {reading.controller, reading.list}, {}, values::alarmHistoryLength);
+    const auto known = alarms(database, {reading.controller, reading.list, 0}, {}, values::alarmHistoryLength);
     if (!known)
         return tl::unexpected(known.error());
     QList<AlarmWithTexts> kept;
@@ -118,22 +118,25 @@ Result<void> write(Database &database, const Note &note)
 
 Result<Page<AlarmRecord>> alarms(Database &database, const AlarmFilter &filter, const Cursor &from, int count)
 {
-    const auto statement = QStringLiteral("SELECT id, controller, list, seen_at, %1 FROM alarms "
-                                          "WHERE (? = '' OR controller = ?) AND id < ?%2 ORDER BY id DESC LIMIT %3")
-                               .arg(alarmColumns, listed(filter), QString::number(count));
-    return database.run(statement, both(filter) + QVariantList {from.id}).map([count](QSqlQuery *query) {
-        Page<AlarmRecord> page;
-        Cursor last;
-        while (query->next()) {
-            page.records += AlarmRecord {query->value(1).toString(), values::AlarmHistoryClass(query->value(2).toInt()),
-                alarmFrom(*query, 4), timeOf(query->value(3))};
-            last = {stamp(page.records.last().seen), query->value(0).toLongLong()};
-        }
-        query->finish();
-        if (page.records.size() == count)
-            page.next = last;
-        return page;
-    });
+    const auto statement =
+        QStringLiteral("SELECT id, controller, list, seen_at, %1 FROM alarms "
+                       "WHERE (? = '' OR controller = ?) AND id < ? AND id > ?%2 ORDER BY id DESC LIMIT %3")
+            .arg(alarmColumns, listed(filter), QString::number(count));
+    return database.run(statement, both(filter) + QVariantList {from.id, filter.newerThan})
+        .map([count](QSqlQuery *query) {
+            Page<AlarmRecord> page;
+            Cursor last;
+            while (query->next()) {
+                page.records += AlarmRecord {query->value(1).toString(),
+                    values::AlarmHistoryClass(query->value(2).toInt()), alarmFrom(*query, 4), timeOf(query->value(3))};
+                last = {stamp(page.records.last().seen), query->value(0).toLongLong()};
+                page.newest = std::max(page.newest, last.id);
+            }
+            query->finish();
+            if (page.records.size() == count)
+                page.next = last;
+            return page;
+        });
 }
 
 Result<QList<Sighting>> sightings(Database &database, const QString &controller, int count)

@@ -16,12 +16,14 @@ struct OrderFilter {
     QString action;
     std::optional<Outcome> outcome;
     QString text; ///< Contained in any text of the record; case does not matter for ASCII.
+    qint64 newerThan = 0; ///< Came into the journal after the record with this id; see Page::newest.
 };
 
 /// Which past alarms. What is left empty allows everything.
 struct AlarmFilter {
     QString controller;
     std::optional<values::AlarmHistoryClass> list;
+    qint64 newerThan = 0; ///< As above.
 };
 
 /// Where the next page begins. The default is the newest record.
@@ -36,6 +38,7 @@ struct Cursor {
 template <typename Record> struct Page {
     QList<Record> records;
     std::optional<Cursor> next;
+    qint64 newest = 0; ///< The highest id among the records; 0 if there are none.
 };
 
 } // namespace journal

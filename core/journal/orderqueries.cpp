@@ -61,6 +61,7 @@ Condition conditionOf(const OrderFilter &filter, const Cursor &from)
     condition.add(filter.to.isValid(), "tried_at < ?", stamp(filter.to));
     condition.add(!filter.controller.isEmpty(), "controller = ?", filter.controller);
     condition.add(!filter.action.isEmpty(), "action = ?", filter.action);
+    condition.add(filter.newerThan > 0, "id > ?", filter.newerThan);
     condition.add(filter.outcome.has_value(), "outcome = ?", int(filter.outcome.value_or(Outcome::Done)));
     condition.add(!filter.text.isEmpty(),
         "LOWER(person || ' ' || host || ' ' || controller || ' ' || action || ' ' || subject || ' ' || old_value || ' "
@@ -112,6 +113,7 @@ Result<Page<OrderRecord>> orders(Database &database, const OrderFilter &filter, 
         while (query->next()) {
             page.records += orderFrom(*query);
             last = {query->value(1).toLongLong(), query->value(0).toLongLong()};
+            page.newest = std::max(page.newest, last.id);
         }
         query->finish();
         if (page.records.size() == count)

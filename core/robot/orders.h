@@ -118,7 +118,8 @@ public:
     /// Reads something that belongs to a procedure, such as the read back after a write. NotSent without a link,
     /// NoAnswer when the link is lost on the way.
     template <protocol::TypedRequest R, typename Handler>
-    requires(R::effect == protocol::Effect::Reads) void read(const R &request, QObject *context, Handler handler)
+    requires(R::effect == protocol::Effect::Reads) void read(
+        const R &request, QObject *context, Handler handler, session::Priority priority = session::Priority::Page)
     {
         auto *question = new Question {this};
         const auto tell = [question, context = QPointer {context}, handler](
@@ -133,7 +134,7 @@ public:
             return;
         }
         connect(this, &Orders::linkDropped, question, [fail]() { fail(values::ErrorKind::NoAnswer); });
-        session()->send(request, question, tell);
+        session()->send(request, question, tell, priority);
     }
 
     /// Checks the conditions of something that goes another way, such as a file. Returns nullptr if it is withheld,

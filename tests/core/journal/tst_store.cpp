@@ -142,18 +142,18 @@ private Q_SLOTS:
         const auto at = [](int minute) { return QDateTime({2026, 1, 12}, {8, minute}, Qt::UTC); };
         const QString m1 = QStringLiteral("M001"), m2 = QStringLiteral("M002"), m3 = QStringLiteral("M003");
         row("all, the newest first", {}, {m3, m2, m1});
-        row("from, inclusive", {at(2), {}, {}, {}, {}, {}}, {m3, m2});
-        row("to, exclusive", {{}, at(2), {}, {}, {}, {}}, {m1});
-        row("controller", {{}, {}, QStringLiteral("CELL 4 溶接"), {}, {}, {}}, {m3, m2, m1});
-        row("another controller", {{}, {}, QStringLiteral("CELL 4"), {}, {}, {}}, {});
-        row("action", {{}, {}, {}, QStringLiteral("start"), {}, {}}, {m2});
-        row("outcome", {{}, {}, {}, {}, Outcome::Refused, {}}, {m2});
-        row("text in the reply", {{}, {}, {}, {}, {}, QStringLiteral("ALARM or")}, {m2});
-        row("text in the subject", {{}, {}, {}, {}, {}, QStringLiteral("m003")}, {m3});
-        row("a percent sign is a percent sign", {{}, {}, {}, {}, {}, QStringLiteral("0%")}, {m3, m2, m1});
-        row("and finds nothing else", {{}, {}, {}, {}, {}, QStringLiteral("5%")}, {});
-        row("nor does an underscore", {{}, {}, {}, {}, {}, QStringLiteral("M__1")}, {});
-        row("a quote ends nothing", {{}, {}, {}, {}, {}, QStringLiteral("'; DROP TABLE orders; --")}, {});
+        row("from, inclusive", {at(2), {}, {}, {}, {}, {}, 0}, {m3, m2});
+        row("to, exclusive", {{}, at(2), {}, {}, {}, {}, 0}, {m1});
+        row("controller", {{}, {}, QStringLiteral("CELL 4 溶接"), {}, {}, {}, 0}, {m3, m2, m1});
+        row("another controller", {{}, {}, QStringLiteral("CELL 4"), {}, {}, {}, 0}, {});
+        row("action", {{}, {}, {}, QStringLiteral("start"), {}, {}, 0}, {m2});
+        row("outcome", {{}, {}, {}, {}, Outcome::Refused, {}, 0}, {m2});
+        row("text in the reply", {{}, {}, {}, {}, {}, QStringLiteral("ALARM or"), 0}, {m2});
+        row("text in the subject", {{}, {}, {}, {}, {}, QStringLiteral("m003"), 0}, {m3});
+        row("a percent sign is a percent sign", {{}, {}, {}, {}, {}, QStringLiteral("0%"), 0}, {m3, m2, m1});
+        row("and finds nothing else", {{}, {}, {}, {}, {}, QStringLiteral("5%"), 0}, {});
+        row("nor does an underscore", {{}, {}, {}, {}, {}, QStringLiteral("M__1"), 0}, {});
+        row("a quote ends nothing", {{}, {}, {}, {}, {}, QStringLiteral("'; DROP TABLE orders; --"), 0}, {});
         row("all at once",
             {at(1), at(3), QStringLiteral("CELL 4 溶接"), QStringLiteral("start"), Outcome::Refused,
                 QStringLiteral("maria")},
@@ -230,7 +230,7 @@ private Q_SLOTS:
         store.merge({cell, AlarmHistoryClass::Major, {}, seen});
 
         Answer<Page<AlarmRecord>> page;
-        store.alarms({cell, AlarmHistoryClass::Minor}, {}, 100, &store, page.handler());
+        store.alarms({cell, AlarmHistoryClass::Minor, 0}, {}, 100, &store, page.handler());
         WAIT_FOR(page);
         const auto &records = page.value().records;
         QCOMPARE(records.size(), 3);
@@ -242,7 +242,7 @@ private Q_SLOTS:
         Answer<Page<AlarmRecord>> everything;
         store.alarms({}, {}, 100, &store, everything.handler());
         Answer<QList<CodeStatistics>> top;
-        store.statistics({cell, {}}, 10, &store, top.handler());
+        store.statistics({cell, {}, 0}, 10, &store, top.handler());
         WAIT_FOR(top);
         QCOMPARE(everything.value().records.size(), 5);
         QCOMPARE(top.value().size(), 2);
