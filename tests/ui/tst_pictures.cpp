@@ -2,6 +2,10 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/harness.h"
 
+#include "protocol/catalog.h"
+#include "ui/language.h"
+#include "ui/pagecatalog.h"
+#include "ui/pages/page.h"
 #include <QDir>
 
 using robot::LinkState;
@@ -81,6 +85,60 @@ constexpr Scene scenes[] {
     {"troubled", troubled},
 };
 
+/// Opens each page and waits until what it wants was answered or refused.
+bool visitAllPages(Harness &harness)
+{
+    for (int row = 0; row < int(ui::pageCatalog().size()); ++row) {
+        harness.window.view().openPage(row);
+        const pages::Page *page = harness.window.view().pages()[row];
+        const bool isRead = QTest::qWaitFor([&] {
+            return std::ranges::all_of(page->topics(), [&](const robot::TopicRange &range) {
+                return harness.state().freshness({range.kind, range.last}) != robot::Freshness::Unknown;
+            });
+        });
+        if (!isRead)
+            return false;
+    }
+    return true;
+}
+
+bool livePages(Harness &harness) { return live(harness) && visitAllPages(harness); }
+
+bool stalePages(Harness &harness)
+{
+    if (!livePages(harness))
+        return false;
+    harness.stopController();
+    return QTest::qWaitFor([&] { return harness.window.controller().linkState() == LinkState::Lost; });
+}
+
+/// Everything but status and system information is refused.
+bool refusedPages(Harness &harness)
+{
+    if (!harness.startController())
+        return false;
+    std::vector<virtualcontroller::FaultRule> rules;
+    for (const protocol::Command &row : protocol::commands()) {
+        if (row.number != 0x72 && row.number != 0x89)
+            rules.push_back({.command = row.number,
+                .direction = virtualcontroller::Direction::Request,
+                .kind = virtualcontroller::FaultKind::Refuse,
+                .code = 0x2110});
+    }
+    harness.server->setFaults(virtualcontroller::Faults {rules});
+    harness.window.show();
+    harness.window.connectTo(harness.profile());
+    return QTest::qWaitFor([&] { return harness.window.controller().linkState() == LinkState::Monitoring; })
+        && visitAllPages(harness);
+}
+
+constexpr Scene pageScenes[] {
+    {"live", livePages},
+    {"stale", stalePages},
+    {"refused", refusedPages},
+    {"notconnected", notConnected},
+};
+
 } // namespace
 
 /// Writes what a person would see to the build folder, to be looked at; and sees that nothing is blank.
@@ -89,11 +147,28 @@ class TestPictures : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void pictures_data();
-    void pictures();
+    void overview_data();
+    void overview();
+    void everyPage_data();
+    void everyPage();
+
+private:
+    static bool write(Harness &harness, const QString &name, ui::Scheme scheme);
 };
 
-void TestPictures::pictures_data()
+/// The window as it is, in light or dark.
+bool TestPictures::write(Harness &harness, const QString &name, ui::Scheme scheme)
+{
+    ui::apply(*qApp, scheme);
+    QCoreApplication::sendPostedEvents(); // layouts, and no reads
+    const QImage image = harness.window.grab().toImage();
+    const QString word = scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
+    return image.deviceIndependentSize().toSize() == harness.window.size()
+        && QDir().mkpath(QStringLiteral(PENDESK_PICTURES))
+        && image.save(QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, word));
+}
+
+void TestPictures::overview_data()
 {
     QTest::addColumn<int>("scene");
     QTest::addColumn<QSize>("size");
@@ -103,24 +178,50 @@ void TestPictures::pictures_data()
     }
 }
 
-void TestPictures::pictures()
+void TestPictures::overview()
 {
     QFETCH(int, scene);
     QFETCH(QSize, size);
     Harness harness;
     harness.window.resize(size);
     QVERIFY(scenes[scene].arrange(harness));
-    QVERIFY(QDir().mkpath(QStringLiteral(PENDESK_PICTURES)));
-    for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
-        ui::apply(*qApp, scheme);
-        QCoreApplication::sendPostedEvents(); // layouts, and no reads
-        const QImage image = harness.window.grab().toImage();
-        QCOMPARE(image.deviceIndependentSize().toSize(), size);
-        QVERIFY(image.save(QStringLiteral("%1/overview-%2-%3-%4.png")
-                               .arg(QStringLiteral(PENDESK_PICTURES), QLatin1String(scenes[scene].name),
-                                   scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark"))
-                               .arg(size.width())));
+    for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark})
+        QVERIFY(write(harness,
+            QStringLiteral("overview-%1-%2").arg(QLatin1String(scenes[scene].name)).arg(size.width()), scheme));
+    ui::apply(*qApp, ui::Scheme::Light);
+}
+
+void TestPictures::everyPage_data()
+{
+    QTest::addColumn<int>("scene");
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QSize>("size");
+    for (int i = 0; i < int(std::size(pageScenes)); ++i)
+        QTest::newRow(pageScenes[i].name) << i << QStringLiteral("en") << QSize(1440, 900);
+    QTest::newRow("live, small") << 0 << QStringLiteral("en") << QSize(1024, 768);
+    QTest::newRow("live, German") << 0 << QStringLiteral("de") << QSize(1440, 900);
+    QTest::newRow("live, Japanese") << 0 << QStringLiteral("ja") << QSize(1440, 900);
+}
+
+void TestPictures::everyPage()
+{
+    QFETCH(int, scene);
+    QFETCH(QString, language);
+    QFETCH(QSize, size);
+    QVERIFY(ui::speak(*qApp, language));
+    Harness harness;
+    harness.window.resize(size);
+    QVERIFY(pageScenes[scene].arrange(harness));
+    for (int row = 0; row < int(ui::pageCatalog().size()); ++row) {
+        harness.window.view().openPage(row);
+        const QString name =
+            QStringLiteral("page-%1-%2-%3-%4")
+                .arg(QLatin1String(ui::pageCatalog()[row].id), QLatin1String(pageScenes[scene].name), language)
+                .arg(size.width());
+        for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark})
+            QVERIFY2(write(harness, name, scheme), qPrintable(name));
     }
+    QVERIFY(ui::speak(*qApp, QStringLiteral("en")));
     ui::apply(*qApp, ui::Scheme::Light);
 }
 
