@@ -3,6 +3,7 @@
 #include "trend/csv.h"
 #include "trend/decimate.h"
 #include "trend/moment.h"
+#include "trend/scale.h"
 #include <QTest>
 #include <random>
 
@@ -62,6 +63,12 @@ private Q_SLOTS:
     void writesCsv();
     void quotesHeadings_data();
     void quotesHeadings();
+    void roundLengths_data();
+    void roundLengths();
+    void scales_data();
+    void scales();
+    void keepsScale_data();
+    void keepsScale();
     void moments_data();
     void moments();
 };
@@ -209,6 +216,75 @@ void SeriesTest::quotesHeadings()
     const Track track {{}, label, Unit::Plain, Series {2}};
     const Track *const tracks[] {&track};
     QCOMPARE(toCsv(tracks, range(0, 1)), "time_utc," + heading + "\r\n");
+}
+
+void SeriesTest::roundLengths_data()
+{
+    QTest::addColumn<double>("length");
+    QTest::addColumn<double>("round");
+    QTest::newRow("1") << 1.0 << 1.0;
+    QTest::newRow("1.9") << 1.9 << 1.0;
+    QTest::newRow("2") << 2.0 << 2.0;
+    QTest::newRow("4.9") << 4.9 << 2.0;
+    QTest::newRow("7") << 7.0 << 5.0;
+    QTest::newRow("99") << 99.0 << 50.0;
+    QTest::newRow("0.03") << 0.03 << 0.02;
+    QTest::newRow("0") << 0.0 << 1.0;
+    QTest::newRow("negative") << -5.0 << 1.0;
+    QTest::newRow("no number") << none << 1.0;
+    QTest::newRow("infinite") << std::numeric_limits<double>::infinity() << 1.0;
+}
+
+void SeriesTest::roundLengths()
+{
+    QFETCH(double, length);
+    QTEST(roundLength(length), "round");
+}
+
+void SeriesTest::scales_data()
+{
+    QTest::addColumn<double>("lowest");
+    QTest::addColumn<double>("highest");
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::addColumn<int>("ticks");
+    QTest::newRow("0 to 1") << 0.0 << 1.0 << 0.0 << 1.0 << 3;
+    QTest::newRow("0 to 100") << 0.0 << 100.0 << 0.0 << 100.0 << 3;
+    QTest::newRow("-3 to 97") << -3.0 << 97.0 << -50.0 << 100.0 << 4;
+    QTest::newRow("constant") << 5.0 << 5.0 << 4.0 << 6.0 << 3;
+    QTest::newRow("constant 0") << 0.0 << 0.0 << -1.0 << 1.0 << 3;
+    QTest::newRow("large constant") << 1e12 << 1e12 << 1e12 - 1 << 1e12 + 1 << 3;
+    QTest::newRow("nothing") << 1.0 << 0.0 << 0.0 << 1.0 << 3;
+}
+
+void SeriesTest::scales()
+{
+    QFETCH(double, lowest);
+    QFETCH(double, highest);
+    const Scale scale = scaleFor({lowest, highest});
+    QTEST(scale.lowest, "from");
+    QTEST(scale.highest, "to");
+    QTEST(scale.ticks(), "ticks");
+}
+
+void SeriesTest::keepsScale_data()
+{
+    QTest::addColumn<double>("lowest");
+    QTest::addColumn<double>("highest");
+    QTest::addColumn<bool>("isKept"); // of 0 to 100
+    QTest::newRow("the same") << 0.0 << 100.0 << true;
+    QTest::newRow("half") << 20.0 << 70.0 << true;
+    QTest::newRow("a little outside") << -1.0 << 70.0 << false;
+    QTest::newRow("much less") << 40.0 << 45.0 << false;
+    QTest::newRow("nothing") << 1.0 << 0.0 << true;
+}
+
+void SeriesTest::keepsScale()
+{
+    QFETCH(double, lowest);
+    QFETCH(double, highest);
+    const Scale current {0, 100, 50};
+    QTEST(kept(current, {lowest, highest}) == current, "isKept");
 }
 
 void SeriesTest::moments_data()
