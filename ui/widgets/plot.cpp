@@ -19,6 +19,8 @@ namespace {
 
 constexpr qreal cursorStep = 0.01; ///< Of the width, for the arrow keys.
 
+constexpr trend::Scale bitScale {-0.1, 1.1, 1}; ///< 0 and 1 stand clear of the edges.
+
 struct Line {
     ui::Role role;
     Qt::PenStyle style;
@@ -54,6 +56,8 @@ Plot::Plot(QWidget *parent) : QChartView(parent), m_timeAxis {new QValueAxis}, m
     chart()->setLocalizeNumbers(true);
     chart()->addAxis(m_timeAxis, Qt::AlignBottom);
     m_timeAxis->setTitleText(tr("seconds"));
+    m_timeAxis->setTickType(QValueAxis::TicksDynamic);
+    m_timeAxis->setLabelFormat(QStringLiteral("%.0f"));
     m_curves->setZValue(100);
     connect(chart(), &QChart::plotAreaChanged, this, [this](const QRectF &area) {
         m_curves->setArea(area);
@@ -103,6 +107,7 @@ void Plot::placeAxes()
         Axis &axis = m_axes[track->unit];
         if (!axis.axis) {
             axis.axis = new QValueAxis;
+            axis.axis->setTickType(QValueAxis::TicksDynamic);
             chart()->addAxis(axis.axis, m_axes.size() == 1 ? Qt::AlignLeft : Qt::AlignRight);
             axis.axis->setGridLineVisible(m_axes.size() == 1);
             dress();
@@ -113,8 +118,10 @@ void Plot::placeAxes()
     }
     const double from = seconds(m_range.from, m_zero);
     const double to = seconds(m_range.to, m_zero);
-    if (m_timeAxis->min() != from || m_timeAxis->max() != to)
-        m_timeAxis->setRange(from, to);
+    if (m_timeAxis->min() == from && m_timeAxis->max() == to)
+        return;
+    m_timeAxis->setRange(from, to);
+    m_timeAxis->setTickInterval(trend::roundLength((to - from) / 5));
 }
 
 QString Plot::lettersOf(Unit unit) const
@@ -159,12 +166,12 @@ trend::Extent Plot::extentOf(Unit unit, const std::vector<Curve> &curves) const
 
 void Plot::scale(Axis &axis, Unit unit, const trend::Extent &extent)
 {
-    const trend::Scale scale = unit == Unit::Bit ? trend::Scale {0, 1, 1} : trend::kept(axis.scale, extent);
-    if (scale == axis.scale && axis.axis->tickCount() == scale.ticks())
+    const trend::Scale scale = unit == Unit::Bit ? bitScale : trend::kept(axis.scale, extent);
+    if (scale == axis.scale && axis.axis->tickInterval() == scale.step)
         return;
     axis.scale = scale;
     axis.axis->setRange(scale.lowest, scale.highest);
-    axis.axis->setTickCount(scale.ticks());
+    axis.axis->setTickInterval(scale.step);
     const int decimals = std::max(0, int(std::ceil(-std::log10(scale.step))));
     axis.axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimals));
 }

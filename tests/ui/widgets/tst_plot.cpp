@@ -144,13 +144,14 @@ void PlotTest::cursorByMouse()
     plot.resize(800, 400);
     plot.show();
     plot.show({&given}, minute, zero);
+    QCoreApplication::processEvents(); // the axes find their places
     QSignalSpy moved(&plot, &Plot::cursorChanged);
     QVERIFY(!plot.cursor());
     const QPoint at = plot.placeOf(given, {zero + 30s, 600}).toPoint();
     QTest::mouseMove(plot.viewport(), at);
     QTRY_VERIFY(plot.cursor());
-    QVERIFY(std::chrono::abs(*plot.cursor() - (zero + 30s)) < 200ms);
-    QCOMPARE(moved.size(), 1);
+    QTRY_VERIFY(std::chrono::abs(*plot.cursor() - (zero + 30s)) < 200ms);
+    QVERIFY(!moved.isEmpty());
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&plot, &leave);
     QVERIFY(!plot.cursor());

@@ -200,4 +200,4 @@ void SignalTest::groups()
 
 QTEST_GUILESS_MAIN(SignalTest)
 
-#include "tst_signal.moc"
+#include "tst_trendsignal.moc"
