@@ -18,4 +18,16 @@ QString toString(PositionType type)
     return QCoreApplication::translate("values", "unknown type %1").arg(quint32(type));
 }
 
+QString toString(ControlGroup group)
+{
+    const int number = group.isCartesian() ? group.instance - 100 : group.instance;
+    if (number >= 1 && number <= 8)
+        return QStringLiteral("R%1").arg(number);
+    if (number >= 11 && number <= 18)
+        return QStringLiteral("B%1").arg(number - 10);
+    if (number >= 21 && number <= 44 && !group.isCartesian())
+        return QStringLiteral("S%1").arg(number - 20);
+    return QCoreApplication::translate("values", "group %1").arg(group.instance);
+}
+
 } // namespace values

@@ -111,4 +111,7 @@ struct ControlGroup {
     bool operator==(const ControlGroup &) const = default;
 };
 
+/// The group in the pendant's words, "R1", "B2", "S3", whatever its coordinates; "group 99" for no known instance.
+[[nodiscard]] QString toString(ControlGroup group);
+
 } // namespace values
