@@ -13,6 +13,7 @@ namespace {
 #define ACTION(text) QT_TRANSLATE_NOOP("Actions", text)
 constexpr ActionRow rows[] {
     {ActionId::Hold, "holdAction", ACTION("HOLD (software)"), "Pause; Ctrl+Shift+H", "hold"},
+    {ActionId::Access, "accessAction", ACTION("Access level…"), "Ctrl+L", ""},
     {ActionId::Connect, "connectAction", ACTION("Connect…"), "Ctrl+O", "connect"},
     {ActionId::Reconnect, "reconnectAction", ACTION("Connect to this controller"), "Ctrl+R", "connect"},
     {ActionId::Disconnect, "disconnectAction", ACTION("Disconnect"), "Ctrl+W", "disconnect"},

@@ -8,7 +8,19 @@
 
 namespace ui {
 
-enum class ActionId { Hold, Connect, Reconnect, Disconnect, Demo, Diagnose, CopyDiagnosis, Shortcuts, About, Quit };
+enum class ActionId {
+    Hold,
+    Access,
+    Connect,
+    Reconnect,
+    Disconnect,
+    Demo,
+    Diagnose,
+    CopyDiagnosis,
+    Shortcuts,
+    About,
+    Quit
+};
 
 /// One row an action: menus, rail, shortcuts and the list under F1 are made from it.
 struct ActionRow {

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/controllerview.h"
 
+#include "ui/accessswitch.h"
+#include "ui/armbadge.h"
+#include "ui/conditionwords.h"
 #include "ui/navigationrail.h"
 #include "ui/pagecatalog.h"
 #include "ui/robotstrip.h"
@@ -25,12 +28,15 @@ QList<robot::TopicRange> alwaysRead()
 
 } // namespace
 
-ControllerView::ControllerView(const settings::Profile &profile, const Actions &actions, QWidget *parent)
+ControllerView::ControllerView(
+    const settings::Profile &profile, Authority authority, const Actions &actions, QWidget *parent)
     : QWidget(parent),
       m_controller {profile},
+      m_orders {m_controller, authority.access, authority.arming},
       m_strip {new RobotStrip(m_controller.state(), m_controller.profile())},
       m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
       m_bar {new widgets::MessageBar},
+      m_lockBar {new widgets::MessageBar},
       m_stack {new QStackedWidget},
       m_stripInterest {m_controller.poller().want(alwaysRead())}
 {
@@ -41,6 +47,9 @@ ControllerView::ControllerView(const settings::Profile &profile, const Actions &
     column->addWidget(m_strip);
     column->addWidget(desk(), 1);
     m_bar->setObjectName(QStringLiteral("messageBar"));
+    m_lockBar->setObjectName(QStringLiteral("lockBar"));
+    m_strip->addBadge(new ArmBadge(m_orders));
+    m_strip->addBadge(new AccessSwitch(authority.access));
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
     addPages(actions);
@@ -58,6 +67,8 @@ QWidget *ControllerView::desk()
     auto *content = new QVBoxLayout;
     content->setSpacing(0);
     m_bar->setContentsMargins(space::page, space::page, space::page, 0);
+    m_lockBar->setContentsMargins(space::page, space::page, space::page, 0);
+    content->addWidget(m_lockBar);
     content->addWidget(m_bar);
     content->addWidget(m_stack, 1);
     auto *result = new QWidget;
@@ -71,7 +82,7 @@ QWidget *ControllerView::desk()
 
 void ControllerView::addPages(const Actions &actions)
 {
-    const pages::Context context {m_controller, m_controller.state(), m_controller.profile(), actions};
+    const pages::Context context {m_controller, m_orders, m_controller.state(), m_controller.profile(), actions};
     for (const PageRow &row : pageCatalog()) {
         pages::Page *page = row.create(context, m_stack);
         page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));
@@ -91,8 +102,13 @@ void ControllerView::follow()
     connect(&m_controller, &Controller::troubleChanged, this, &ControllerView::onLinkChanged);
     connect(&m_controller, &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
     connect(&m_controller, &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
+    connect(&m_orders, &robot::Orders::pendantLockChanged, this, &ControllerView::showLock);
+    connect(m_lockBar, &widgets::MessageBar::linkActivated, this, &ControllerView::releaseLock);
     connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
 }
+
+/// The pages look at the orders, which look at the controller: the children go first.
+ControllerView::~ControllerView() { qDeleteAll(findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly)); }
 
 void ControllerView::openPage(int row) { m_stack->setCurrentIndex(row); }
 
@@ -144,6 +160,24 @@ void ControllerView::onStatisticsChanged()
     m_strip->showStatistics(statistics);
     for (pages::Page *page : m_pages)
         page->showStatistics(statistics);
+}
+
+void ControllerView::showLock()
+{
+    const QString text = tr("HLOCK is on at %1: the pendant is locked out, but for its emergency stop.");
+    const widgets::Message locked {
+        widgets::Severity::Warning, text.arg(m_controller.profile().name), tr("Release HLOCK")};
+    m_lockBar->show(m_orders.isPendantLocked() ? locked : widgets::Message {});
+}
+
+void ControllerView::releaseLock()
+{
+    m_orders.send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, [this](const values::Result<void> &result) {
+        if (!result) {
+            const auto text = explain(robot::Act::HlockOff, result.error(), m_controller.profile().model);
+            show({{widgets::Severity::Warning, text, {}}, {}});
+        }
+    });
 }
 
 void ControllerView::showLink()

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/orders.h"
 #include "ui/messages.h"
 #include <QTimer>
 #include <QWidget>
@@ -18,6 +19,12 @@ class Page;
 
 namespace ui {
 
+/// Who may do what, for the whole program.
+struct Authority {
+    robot::Access &access;
+    robot::Arming &arming;
+};
+
 class NavigationRail;
 class RobotStrip;
 
@@ -27,14 +34,19 @@ class ControllerView : public QWidget
     Q_OBJECT
 
 public:
-    /// `actions` must outlive the view.
-    ControllerView(const settings::Profile &profile, const Actions &actions, QWidget *parent = nullptr);
+    /// `authority` and `actions` must outlive the view.
+    ControllerView(
+        const settings::Profile &profile, Authority authority, const Actions &actions, QWidget *parent = nullptr);
+    ~ControllerView() override;
 
     [[nodiscard]] robot::Controller &controller() { return m_controller; }
+    [[nodiscard]] robot::Orders &orders() { return m_orders; }
     [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
     void openPage(int row);
     /// Orders HOLD at once, or says why it cannot be ordered.
     void hold();
+    /// Orders HLOCK off, or says why it cannot be ordered.
+    void releaseLock();
     /// Shows a message until the link has something new to say.
     void show(const Notice &notice);
     using QWidget::show;
@@ -48,11 +60,14 @@ private:
     void onHoldProgressChanged();
     void onStatisticsChanged();
     void showLink();
+    void showLock();
 
     robot::Controller m_controller;
+    robot::Orders m_orders;
     RobotStrip *m_strip;
     NavigationRail *m_rail;
     widgets::MessageBar *m_bar;
+    widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
     QStackedWidget *m_stack;
     QList<pages::Page *> m_pages; ///< In the order of the page catalogue.
     robot::Poller::Interest m_stripInterest;

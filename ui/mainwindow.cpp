@@ -3,7 +3,8 @@
 #include "ui/mainwindow.h"
 
 #include "robot/controller.h"
-#include "ui/controllerview.h"
+#include "ui/accessswitch.h"
+#include "ui/conditionwords.h"
 #include "ui/dialogs/connectiondialog.h"
 #include "ui/dialogs/diagnosisdialog.h"
 #include "ui/dialogs/shortcutsdialog.h"
@@ -11,6 +12,7 @@
 #include "ui/icons.h"
 #include "ui/widgets/text.h"
 #include <QApplication>
+#include <QCloseEvent>
 #include <QLocale>
 #include <QMessageBox>
 #include <QStatusBar>
@@ -19,11 +21,13 @@ namespace ui {
 
 using robot::LinkState;
 
-MainWindow::MainWindow(settings::ProfileStore &store, StartDemo startDemo, QWidget *parent)
+MainWindow::MainWindow(settings::ProfileStore &store, Authority authority, StartDemo startDemo, QWidget *parent)
     : QMainWindow(parent),
       m_store {store},
+      m_authority {authority},
       m_startDemo {std::move(startDemo)},
       m_actions {new Actions(this)},
+      m_level {widgets::text({}, Type::Label, Role::Text2)},
       m_requests {widgets::text({}, Type::Label, Role::Text2)}
 {
     setWindowIcon(applicationIcon());
@@ -38,21 +42,67 @@ robot::Controller &MainWindow::controller() const { return m_view->controller();
 
 void MainWindow::makeStatusBar()
 {
-    statusBar()->addWidget(widgets::text(tr("Level: Monitor"), Type::Label, Role::Text2));
+    m_level->setObjectName(QStringLiteral("levelInStatusBar"));
+    statusBar()->addWidget(m_level);
+    connect(&m_authority.access, &robot::Access::levelChanged, this, &MainWindow::showLevel);
+    showLevel();
     statusBar()->addWidget(m_requests);
     m_requests->setObjectName(QStringLiteral("requestsPerSecond"));
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(space::page - 4, 0, space::page, 0);
 }
 
+void MainWindow::showLevel() { m_level->setText(tr("Level: %1").arg(title(m_authority.access.level()))); }
+
+void MainWindow::openAccessMenu()
+{
+    if (auto *badge = m_view->findChild<AccessSwitch *>())
+        badge->showMenu();
+}
+
+/// HLOCK outlives this program: the person at the pendant would stand there locked out.
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!m_view->orders().isPendantLocked() || m_isLeavingLocked)
+        return QMainWindow::closeEvent(event);
+    event->ignore();
+    offerRelease();
+}
+
+void MainWindow::offerRelease()
+{
+    if (findChild<QMessageBox *>(QStringLiteral("releaseLockBox")))
+        return;
+    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("HLOCK is on"),
+        tr("HLOCK is still on at %1: the pendant stays locked out after closing.").arg(controller().profile().name),
+        QMessageBox::Cancel, this);
+    box->setObjectName(QStringLiteral("releaseLockBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    auto *release = box->addButton(tr("Release HLOCK and close"), QMessageBox::AcceptRole);
+    auto *leave = box->addButton(tr("Close and leave it on"), QMessageBox::DestructiveRole);
+    release->setObjectName(QStringLiteral("releaseLock"));
+    leave->setObjectName(QStringLiteral("leaveLock"));
+    connect(release, &QAbstractButton::clicked, m_view, [this] {
+        m_view->releaseLock();
+        connect(&m_view->orders(), &robot::Orders::pendantLockChanged, this, &QWidget::close);
+    });
+    connect(leave, &QAbstractButton::clicked, this, [this] {
+        m_isLeavingLocked = true;
+        close();
+    });
+    box->open();
+}
+
 void MainWindow::offer(const settings::Profile &profile)
 {
     if (QWidget *old = takeCentralWidget()) {
+        if (m_view->orders().isArmed())
+            m_authority.arming.drop(robot::Arming::Drop::ProfileChanged);
         controller().disconnect(this);
         controller().close();
         old->deleteLater(); // it may be one of its buttons that led here
     }
-    m_view = new ControllerView(profile, *m_actions);
+    m_view = new ControllerView(profile, m_authority, *m_actions);
     setCentralWidget(m_view);
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
@@ -82,6 +132,7 @@ void MainWindow::run(ActionId id)
 {
     switch (id) {
     case ActionId::Hold: return m_view->hold();
+    case ActionId::Access: return openAccessMenu();
     case ActionId::Connect: return openConnectionDialog();
     case ActionId::Reconnect: return controller().open();
     case ActionId::Disconnect: return controller().close();

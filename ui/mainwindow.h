@@ -3,7 +3,7 @@
 #pragma once
 
 #include "settings/profilestore.h"
-#include "ui/actioncatalog.h"
+#include "ui/controllerview.h"
 #include <QMainWindow>
 #include <QPointer>
 #include <functional>
@@ -20,8 +20,6 @@ class ConnectionDialog;
 
 namespace ui {
 
-class ControllerView;
-
 /// The window. It shows one controller at a time, which can be exchanged for another.
 class MainWindow : public QMainWindow
 {
@@ -31,8 +29,8 @@ public:
     /// Starts the simulated controller, if it does not run yet, and tells where it listens.
     using StartDemo = std::function<values::Result<settings::Profile>()>;
 
-    /// `store` must outlive the window.
-    MainWindow(settings::ProfileStore &store, StartDemo startDemo, QWidget *parent = nullptr);
+    /// `store` and `authority` must outlive the window.
+    MainWindow(settings::ProfileStore &store, Authority authority, StartDemo startDemo, QWidget *parent = nullptr);
 
     /// Shows the profile's controller without connecting.
     void offer(const settings::Profile &profile);
@@ -44,22 +42,31 @@ public:
     [[nodiscard]] ControllerView &view() const { return *m_view; }
     [[nodiscard]] const Actions &actions() const { return *m_actions; }
 
+protected:
+    void closeEvent(QCloseEvent *event) override;
+
 private:
     void run(ActionId id);
+    void openAccessMenu();
+    void offerRelease();
     void openConnectionDialog();
     void openDiagnosis();
     void copyDiagnosis();
     void showAbout();
     void makeStatusBar();
+    void showLevel();
     void onLinkStateChanged();
     void onStatisticsChanged();
 
     settings::ProfileStore &m_store;
+    Authority m_authority;
     StartDemo m_startDemo;
     Actions *m_actions;
     ControllerView *m_view = nullptr;
+    QLabel *m_level;
     QLabel *m_requests;
     QPointer<dialogs::ConnectionDialog> m_connectionDialog;
+    bool m_isLeavingLocked = false; ///< The person said to close with HLOCK on.
 };
 
 } // namespace ui

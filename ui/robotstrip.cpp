@@ -110,28 +110,27 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
     showJob();
 }
 
-QWidget *RobotStrip::nameCell(const settings::Profile &profile) const
+QWidget *RobotStrip::nameCell(const settings::Profile &profile)
 {
     auto *result = new QWidget;
     auto *name = new widgets::ValueLabel(Type::StripState);
     name->setObjectName(QStringLiteral("stripName"));
     name->setElided(true);
     name->show(fact(profile.name.isEmpty() ? tr("No controller") : profile.name));
-    auto *level = new widgets::Badge(tr("MONITOR"), Role::Text2, Role::Strip);
-    level->setObjectName(QStringLiteral("accessBadge"));
-    auto *above = new QHBoxLayout;
-    above->setSpacing(6);
-    above->addWidget(originOf(profile), 1, Qt::AlignLeft);
-    above->addWidget(level);
+    m_badges = new QHBoxLayout;
+    m_badges->setSpacing(6);
+    m_badges->addWidget(originOf(profile), 1, Qt::AlignLeft);
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, cellMargin, 0);
     column->setSpacing(1);
     column->addStretch();
-    column->addLayout(above);
+    column->addLayout(m_badges);
     column->addWidget(name);
     column->addStretch();
     return result;
 }
+
+void RobotStrip::addBadge(QWidget *badge) { m_badges->addWidget(badge); }
 
 QWidget *RobotStrip::jobCell() const
 {

@@ -23,6 +23,8 @@ class RobotStrip : public QWidget
 public:
     RobotStrip(const robot::RobotState &state, const settings::Profile &profile, QWidget *parent = nullptr);
 
+    /// Small things beside the name, from left to right: the access level, ARMED.
+    void addBadge(QWidget *badge);
     void showLink(const LinkView &link);
     void showStatistics(const session::LinkStatistics &statistics);
 
@@ -37,7 +39,7 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    [[nodiscard]] QWidget *nameCell(const settings::Profile &profile) const;
+    [[nodiscard]] QWidget *nameCell(const settings::Profile &profile);
     [[nodiscard]] QWidget *jobCell() const;
     void makeRoom();
     void addStatusCells();
@@ -49,6 +51,7 @@ private:
     const robot::RobotState &m_state;
     protocol::Encoding m_encoding;
     QHBoxLayout *m_row;
+    QHBoxLayout *m_badges = nullptr;
     QList<widgets::StateField *> m_statusFields; ///< In the order of the table of fields.
     QWidget *m_jobCell = nullptr;
     widgets::ValueLabel *m_job;

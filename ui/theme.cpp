@@ -192,13 +192,18 @@ QPushButton[rail="true"] { background: transparent; border: 1px solid transparen
 QPushButton[rail="true"]:hover, QPushButton[rail="true"]:focus { border-color: %2; }
 QPushButton[rail="true"]:checked { background: %5; color: %4; font-weight: 600; }
 QPushButton[rail="true"]::menu-indicator { width: 0; }
+QPushButton[badge="true"] { background: transparent; border: 1px solid %3; border-radius: 8px; padding: 1px 8px;
+    color: %3; }
+QPushButton[badge="true"]:hover, QPushButton[badge="true"]:focus { border-color: %4; color: %8; }
+QPushButton[badge="true"]::menu-indicator { width: 0; }
+QPushButton[amber="true"] { background: %10; border-color: %11; color: %11; }
 QToolTip { background: %1; color: %8; border: 1px solid %2; padding: 3px; }
 QStatusBar { background: %9; border-top: 1px solid %2; }
 QStatusBar::item { border: none; }
 )")
                .arg(name(Role::Raised), name(Role::Border), name(Role::Text2), name(Role::Accent),
                    name(Role::AccentGround), name(Role::Text3), name(onAccent(scheme)), name(Role::Text1),
-                   name(Role::Window))
+                   name(Role::Window), name(Role::AmberGround), name(Role::Amber))
         + textRoles(scheme);
 }
 

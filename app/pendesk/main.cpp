@@ -6,6 +6,7 @@
 #include "timings.h"
 #include "ui/language.h"
 #include "ui/mainwindow.h"
+#include "ui/presence.h"
 #include <QApplication>
 #include <QSettings>
 #include <cstdio>
@@ -53,7 +54,14 @@ int run(const Options &options, QApplication &application)
     const auto target = wanted(options, demo);
     if (!target)
         return complain(target.error().detail, NoAnswer);
-    ui::MainWindow window {store, [&demo] { return demo.start(); }};
+    robot::Access access {settings::readAccess(file)};
+    robot::Arming arming;
+    if (options.isMonitorOnly)
+        access.restrictToMonitor();
+    const ui::Presence presence {access, arming};
+    QObject::connect(
+        &access, &robot::Access::settingsChanged, &access, [&] { settings::writeAccess(file, access.settings()); });
+    ui::MainWindow window {store, {access, arming}, [&demo] { return demo.start(); }};
     window.offer(target->value_or(store.find(store.lastUsed()).value_or(settings::Profile {})));
     std::optional<Timings> timings;
     if (options.wantsTimings)

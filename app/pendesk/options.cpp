@@ -33,7 +33,7 @@ void describe(QCommandLineParser &parser)
     add("theme", Texts::tr("light, dark, or auto for the desktop's choice."), QStringLiteral("T"));
     add("language", Texts::tr("Language of the window, as a code such as de; the desktop's unless told otherwise."),
         QStringLiteral("CODE"));
-    add("monitor-only", Texts::tr("Allow watching and HOLD alone. This release does nothing else."));
+    add("monitor-only", Texts::tr("Allow watching, HOLD and servo off alone, whatever the person at the desk tries."));
     add("pictures", Texts::tr("Write pictures of every page to this folder, print the status read, and end."),
         QStringLiteral("DIR"));
     add("timings", Texts::tr("Print when the window was painted and when the first status was live."));
@@ -100,6 +100,7 @@ values::Result<Options> parse(const QStringList &arguments, const settings::Prof
         return tl::unexpected(language.error());
     if (const auto read = readTarget(parser, store, options); !read)
         return tl::unexpected(read.error());
+    options.isMonitorOnly = parser.isSet(QStringLiteral("monitor-only"));
     options.wantsTimings = parser.isSet(QStringLiteral("timings"));
     options.pictures = parser.value(QStringLiteral("pictures"));
     if (parser.isSet(QStringLiteral("pictures")) && (options.pictures.isEmpty() || !(options.isDemo || options.target)))

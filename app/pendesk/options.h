@@ -16,6 +16,7 @@ struct Options {
     std::optional<ui::Scheme> scheme; ///< Empty: the desktop's.
     QString language; ///< Code of one of ui::languages().
     bool wantsTimings = false;
+    bool isMonitorOnly = false; ///< Without the levels that change anything.
     QString pictures; ///< Folder for pictures; empty: none wanted.
     QString text; ///< Set by --help and --version: print it and end.
 };

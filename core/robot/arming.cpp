@@ -61,9 +61,16 @@ void Arming::follow(const QObject &robot, const Situation &situation)
         drop(Drop::ModeChanged);
 }
 
+Milliseconds Arming::remaining(Time now) const
+{
+    if (!m_robot)
+        return 0ms;
+    return std::max(0ms, std::chrono::ceil<Milliseconds>(m_lastActivity + idleLimit - now));
+}
+
 void Arming::tick(Time now)
 {
-    if (m_robot && now - m_lastActivity >= idleLimit)
+    if (m_robot && remaining(now) == 0ms)
         drop(Drop::Idle);
 }
 

@@ -53,6 +53,8 @@ public:
     void noteActivity(Time now) { m_lastActivity = now; }
     /// Looks at the clock. It calls itself once a second.
     void tick(Time now);
+    /// Until it drops for want of key and mouse; 0 while nothing is armed.
+    [[nodiscard]] Milliseconds remaining(Time now) const;
 
     /// Calls `function` with a permit, within this call and never later, if `robot` is armed. Returns whether it was.
     template <typename Function> bool withPermit(const QObject &robot, Function &&function) const

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/controller.h"
 
+#include "session/filesession.h"
 #include "session/session.h"
 #include "session/udptransport.h"
 #include <QHostInfo>
@@ -32,17 +33,29 @@ session::Policy policyOf(const settings::Profile &profile)
     return policy;
 }
 
+session::FilePolicy filePolicyOf(const settings::Profile &profile)
+{
+    session::FilePolicy policy;
+    policy.timeout = profile.fileTimeout;
+    return policy;
+}
+
 } // namespace
 
 /// What exists while a link is open. It is a child-less QObject: the context of everything that must end with the link.
 struct Controller::Link : QObject {
     Link(const QHostAddress &address, const settings::Profile &profile)
-        : transport {address, profile.port}, session {transport, policyOf(profile)}
+        : transport {address, profile.port},
+          session {transport, policyOf(profile)},
+          fileTransport {address, profile.filePort},
+          files {fileTransport, filePolicyOf(profile)}
     {
     }
 
     session::UdpTransport transport;
     session::Session session;
+    session::UdpTransport fileTransport;
+    session::FileSession files;
     QObject orders; ///< Parent of orders under way; they end before the session.
 };
 
@@ -61,6 +74,8 @@ Controller::Controller(settings::Profile profile, QObject *parent)
 Controller::~Controller() = default;
 
 session::Session *Controller::session() const { return m_link ? &m_link->session : nullptr; }
+
+session::FileSession *Controller::files() const { return m_link ? &m_link->files : nullptr; }
 
 session::LinkStatistics Controller::statistics() const
 {

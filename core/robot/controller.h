@@ -13,6 +13,7 @@
 class QHostAddress;
 
 namespace session {
+class FileSession;
 class Session;
 }
 
@@ -52,6 +53,11 @@ public:
     [[nodiscard]] HoldProgress holdProgress() const { return m_holdProgress; }
     /// The refusal, while holdProgress() is Refused.
     [[nodiscard]] const std::optional<values::Error> &holdRefusal() const { return m_holdRefusal; }
+
+    /// The file port: lists and saves for whoever asks; what changes files goes through Orders::begin() first. nullptr
+    /// while there is no link, and another one whenever the link state changes; transfers under way end silently with
+    /// it, as Orders::linkDropped() tells.
+    [[nodiscard]] session::FileSession *files() const;
 
     /// Begins checking. Nothing but reads is sent, now and whenever the link comes back.
     void open();

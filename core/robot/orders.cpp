@@ -5,7 +5,6 @@
 #include "protocol/codes.h"
 #include <QSysInfo>
 
-using namespace std::chrono_literals;
 using values::Error;
 using values::ErrorKind;
 using values::Result;
@@ -45,9 +44,9 @@ QString replyText(const Error &error)
 /// Of whoever runs this program.
 QString userName() { return qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME")); }
 
-template <typename Value> std::optional<Value> fresh(const Reading<Value> &reading, Milliseconds period, bool isLinkUp)
+template <Kind kind> std::optional<ValueOf<kind>> fresh(const RobotState &state, Topic topic)
 {
-    return reading.freshness(now(), period, isLinkUp) == Freshness::Live ? reading.value : std::nullopt;
+    return state.freshness(topic) == Freshness::Live ? state.reading<kind>(topic.number).value : std::nullopt;
 }
 
 } // namespace
@@ -113,8 +112,8 @@ Situation Orders::look() const
     situation.isLinkUp = m_controller.linkState() == LinkState::Monitoring;
     situation.level = m_access.level();
     situation.isArmed = isArmed();
-    situation.status = fresh(m_controller.state().status(), 100ms, situation.isLinkUp);
-    situation.job = fresh(m_controller.state().job(), 250ms, situation.isLinkUp);
+    situation.status = fresh<Kind::Status>(m_controller.state(), topics::status);
+    situation.job = fresh<Kind::Job>(m_controller.state(), topics::masterJob);
     situation.isNumberingVerified = m_isNumberingVerified;
     situation.canModelMove = m_controller.profile().dialect().hasMoves;
     return situation;

@@ -20,7 +20,7 @@ public:
     Harness()
         : file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat},
           store {file},
-          window {store, [this] { return startController(); }}
+          window {store, {access, arming}, [this] { return startController(); }}
     {
     }
 
@@ -89,6 +89,8 @@ public:
     QTemporaryDir folder;
     QSettings file;
     settings::ProfileStore store;
+    robot::Access access;
+    robot::Arming arming;
     quint16 port = 0;
     quint16 filePort = 0;
     std::unique_ptr<virtualcontroller::Server> server;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/orders.h"
 #include "ui/linkview.h"
 #include <QWidget>
 
@@ -15,7 +16,8 @@ namespace pages {
 
 /// What a page is made of. All of it outlives the page: a window makes new pages for another controller.
 struct Context {
-    robot::Controller &controller; ///< For orders and procedures; what is shown comes from `state`.
+    robot::Controller &controller; ///< For its life and its link; what is shown comes from `state`.
+    robot::Orders &orders; ///< For everything that changes something, and for reads that belong to a procedure.
     const robot::RobotState &state;
     const settings::Profile &profile;
     const ui::Actions &actions;

@@ -40,7 +40,7 @@ struct Cell {
         profile.readTimeout = 100ms;
         profile.servoTimeout = 1000ms;
         controller = std::make_unique<Controller>(profile);
-        job = controller->poller().want({Topic::Job});
+        job = controller->poller().want({topics::masterJob});
         orders = std::make_unique<Orders>(*controller, access, arming);
         QObject::connect(orders.get(), &Orders::recorded, orders.get(),
             [this](const journal::OrderRecord &record) { records << record; });

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/accessswitch.h"
+#include "ui/harness.h"
+#include "ui/presence.h"
+
+#include <QDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QStatusBar>
+
+using robot::Arming;
+using robot::Level;
+
+class TestAccessSwitch : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void showsTheLevel()
+    {
+        Harness harness;
+        harness.window.show();
+        QCOMPARE(badge(harness)->text(), QStringLiteral("MONITOR"));
+        choose(harness, "levelOperate");
+        QCOMPARE(badge(harness)->text(), QStringLiteral("OPERATE"));
+        QVERIFY(harness.access.level() == Level::Operate);
+        QCOMPARE(harness.window.findChild<QLabel *>(QStringLiteral("levelInStatusBar"))->text(),
+            QStringLiteral("Level: Operate"));
+        harness.access.enter(Level::Monitor);
+        QCOMPARE(badge(harness)->text(), QStringLiteral("MONITOR"));
+    }
+
+    void keyboardOpensIt()
+    {
+        Harness harness;
+        harness.window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&harness.window));
+        QTimer::singleShot(0, badge(harness)->menu(), [menu = badge(harness)->menu()] {
+            QVERIFY(menu->isVisible());
+            QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Return);
+        });
+        QTest::keyClick(&harness.window, Qt::Key_L, Qt::ControlModifier);
+        QTRY_VERIFY(harness.access.level() == Level::Operate);
+    }
+
+    void asksForThePasscode()
+    {
+        Harness harness;
+        settings::AccessSettings settings;
+        settings.passcode = settings::Passcode::of(QStringLiteral("0815"));
+        harness.access.setSettings(settings);
+        harness.window.show();
+        choose(harness, "levelEngineer");
+        auto *dialog = harness.window.findChild<QDialog *>(QStringLiteral("passcodeDialog"));
+        QVERIFY(dialog);
+        QVERIFY(harness.access.level() == Level::Monitor);
+        auto *edit = dialog->findChild<QLineEdit *>(QStringLiteral("passcode"));
+        QTest::keyClicks(edit, QStringLiteral("4711"));
+        QTest::keyClick(edit, Qt::Key_Return);
+        QVERIFY(harness.access.level() == Level::Monitor);
+        QVERIFY(!dialog->findChild<QLabel *>(QStringLiteral("passcodeComplaint"))->text().isEmpty());
+        QTest::keyClicks(edit, QStringLiteral("0815")); // what was wrong is selected
+        QTest::keyClick(edit, Qt::Key_Return);
+        QVERIFY(harness.access.level() == Level::Engineer);
+    }
+
+    void setsThePasscode()
+    {
+        Harness harness;
+        harness.window.show();
+        QVERIFY(!action(harness, "accessSettings")->isEnabled()); // Engineers only
+        harness.access.enter(Level::Engineer);
+        choose(harness, "accessSettings");
+        auto *dialog = harness.window.findChild<QDialog *>(QStringLiteral("accessSettingsDialog"));
+        QVERIFY(dialog);
+        const auto edit = [&](const char *name) { return dialog->findChild<QLineEdit *>(QLatin1String(name)); };
+        QTest::keyClicks(edit("newPasscode"), QStringLiteral("abc"));
+        QTest::keyClick(edit("newPasscode"), Qt::Key_Return);
+        QVERIFY(!harness.access.settings().passcode); // not the same twice
+        QTest::keyClicks(edit("newPasscodeAgain"), QStringLiteral("abc"));
+        dialog->findChild<QSpinBox *>(QStringLiteral("idleMinutes"))->setValue(3);
+        QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("okButton")), Qt::LeftButton);
+        QVERIFY(harness.access.settings().passcode->matches(QStringLiteral("abc")));
+        QVERIFY(harness.access.settings().idleTime == std::chrono::minutes {3});
+    }
+
+    void monitorOnlyOffersNothingElse()
+    {
+        Harness harness;
+        harness.access.restrictToMonitor();
+        harness.window.offer({});
+        harness.window.show();
+        QVERIFY(!action(harness, "levelOperate")->isEnabled());
+        QVERIFY(!action(harness, "levelEngineer")->isEnabled());
+        QVERIFY(!badge(harness)->toolTip().isEmpty());
+    }
+
+    void armingShowsInTheStripAndDrops()
+    {
+        Harness harness;
+        const ui::Presence presence {harness.access, harness.arming};
+        QVERIFY(harness.connectLive());
+        harness.server->memory().alarms.clear();
+        auto *armed = harness.window.findChild<QPushButton *>(QStringLiteral("armBadge"));
+        QVERIFY(!armed->isVisible());
+        QVERIFY(!harness.window.view().orders().arm()); // Monitor
+        harness.access.enter(Level::Operate);
+        QVERIFY(harness.window.view().orders().arm());
+        QVERIFY(armed->isVisible());
+        QVERIFY(armed->text().startsWith(QStringLiteral("ARMED")));
+        QTest::mouseClick(armed, Qt::LeftButton);
+        QVERIFY(!armed->isVisible());
+        QVERIFY(harness.arming.lastDrop() == Arming::Drop::ByHand);
+        QVERIFY(harness.window.view().orders().arm());
+        harness.window.connectTo(harness.profile());
+        QVERIFY(harness.arming.lastDrop() == Arming::Drop::ProfileChanged);
+    }
+
+    void anotherWindowDisarmsAndADialogDoesNot()
+    {
+        Harness harness;
+        const ui::Presence presence {harness.access, harness.arming};
+        QVERIFY(harness.connectLive());
+        QVERIFY(QTest::qWaitForWindowActive(&harness.window));
+        harness.access.enter(Level::Operate);
+        QVERIFY(harness.window.view().orders().arm());
+        QDialog dialog(&harness.window);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        QVERIFY(harness.arming.isArmed());
+        dialog.close();
+        QWidget second;
+        second.show();
+        second.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&second));
+        QTRY_VERIFY(!harness.arming.isArmed());
+        QVERIFY(harness.arming.lastDrop() == Arming::Drop::SecondWindow);
+    }
+
+    void keysAreActivity()
+    {
+        Harness harness;
+        const ui::Presence presence {harness.access, harness.arming};
+        QVERIFY(harness.connectLive());
+        harness.access.enter(Level::Operate);
+        QVERIFY(harness.window.view().orders().arm());
+        using namespace std::chrono_literals;
+        harness.arming.noteActivity(std::chrono::steady_clock::now() - 50s);
+        QVERIFY(harness.arming.remaining(std::chrono::steady_clock::now()) < 11s);
+        QTest::keyClick(&harness.window, Qt::Key_F12);
+        QVERIFY(harness.arming.remaining(std::chrono::steady_clock::now()) > 50s);
+    }
+
+private:
+    static ui::AccessSwitch *badge(const Harness &harness)
+    {
+        return harness.window.findChild<ui::AccessSwitch *>(QStringLiteral("accessBadge"));
+    }
+    static QAction *action(const Harness &harness, const char *name)
+    {
+        return badge(harness)->menu()->findChild<QAction *>(QLatin1String(name));
+    }
+    static void choose(const Harness &harness, const char *name) { action(harness, name)->trigger(); }
+};
+
+QTEST_MAIN(TestAccessSwitch)
+#include "tst_accessswitch.moc"

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "robot/access.h"
+#include <QDialog>
+
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace dialogs {
+
+/// Asks for the passcode on the way to a higher level.
+class PasscodeDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// `access` must outlive the dialog.
+    PasscodeDialog(robot::Access &access, robot::Level level, QWidget *parent);
+
+private:
+    void tryEnter();
+
+    robot::Access &m_access;
+    robot::Level m_level;
+    QLineEdit *m_passcode;
+    QLabel *m_complaint;
+};
+
+/// Sets or removes the passcode, and the time after which the level falls back.
+class AccessSettingsDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    AccessSettingsDialog(robot::Access &access, QWidget *parent);
+
+private:
+    void save();
+
+    robot::Access &m_access;
+    QSpinBox *m_minutes;
+    QLineEdit *m_passcode;
+    QLineEdit *m_again;
+    QLabel *m_complaint;
+};
+
+} // namespace dialogs

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/presence.h"
+
+#include <QEvent>
+#include <QGuiApplication>
+
+namespace ui {
+
+using robot::Arming;
+
+namespace {
+
+bool isActivity(QEvent::Type type)
+{
+    return type == QEvent::KeyPress || type == QEvent::MouseButtonPress || type == QEvent::Wheel
+        || type == QEvent::TouchBegin || type == QEvent::TabletPress;
+}
+
+/// The window that a dialog or a menu belongs to.
+QWindow *homeOf(QWindow *window)
+{
+    while (window && (window->transientParent() || window->parent()))
+        window = window->transientParent() ? window->transientParent() : window->parent();
+    return window;
+}
+
+} // namespace
+
+Presence::Presence(robot::Access &access, Arming &arming, QObject *parent)
+    : QObject(parent), m_access {access}, m_arming {arming}
+{
+    qApp->installEventFilter(this);
+    connect(&arming, &Arming::changed, this, &Presence::onArmingChanged);
+    connect(qApp, &QGuiApplication::focusWindowChanged, this, &Presence::onFocusWindowChanged);
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, &Presence::onApplicationStateChanged);
+}
+
+bool Presence::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->spontaneous() && isActivity(event->type())) {
+        const auto now = std::chrono::steady_clock::now();
+        m_access.noteActivity(now);
+        m_arming.noteActivity(now);
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+void Presence::onArmingChanged()
+{
+    if (m_arming.isArmed())
+        m_home = homeOf(QGuiApplication::focusWindow());
+}
+
+void Presence::onFocusWindowChanged(QWindow *window)
+{
+    if (window && m_home && window->type() != Qt::Popup && homeOf(window) != m_home)
+        m_arming.drop(Arming::Drop::SecondWindow);
+}
+
+void Presence::onApplicationStateChanged(Qt::ApplicationState state)
+{
+    if (state != Qt::ApplicationActive)
+        m_arming.drop(Arming::Drop::FocusLost);
+}
+
+} // namespace ui
