@@ -14,6 +14,7 @@ namespace {
 constexpr ActionRow rows[] {
     {ActionId::Hold, "holdAction", ACTION("HOLD (software)"), "Pause; Ctrl+Shift+H", "hold"},
     {ActionId::Access, "accessAction", ACTION("Access level…"), "Ctrl+L", ""},
+    {ActionId::OpenInWindow, "openInWindowAction", ACTION("Open this page in its own window"), "Ctrl+Shift+N", ""},
     {ActionId::Connect, "connectAction", ACTION("Connect…"), "Ctrl+O", "connect"},
     {ActionId::Reconnect, "reconnectAction", ACTION("Connect to this controller"), "Ctrl+R", "connect"},
     {ActionId::Disconnect, "disconnectAction", ACTION("Disconnect"), "Ctrl+W", "disconnect"},

@@ -11,6 +11,7 @@ namespace ui {
 enum class ActionId {
     Hold,
     Access,
+    OpenInWindow,
     Connect,
     Reconnect,
     Disconnect,

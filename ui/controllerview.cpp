@@ -7,6 +7,7 @@
 #include "ui/conditionwords.h"
 #include "ui/navigationrail.h"
 #include "ui/pagecatalog.h"
+#include "ui/pagewindow.h"
 #include "ui/robotstrip.h"
 #include <QHBoxLayout>
 #include <QStackedWidget>
@@ -33,7 +34,7 @@ ControllerView::ControllerView(
     : QWidget(parent),
       m_controller {profile},
       m_orders {m_controller, authority.access, authority.arming},
-      m_strip {new RobotStrip(m_controller.state(), m_controller.profile())},
+      m_authority {authority},
       m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
       m_bar {new widgets::MessageBar},
       m_lockBar {new widgets::MessageBar},
@@ -44,12 +45,10 @@ ControllerView::ControllerView(
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     setFocusProxy(m_rail); // nobody holds a robot with a stray Space
-    column->addWidget(m_strip);
+    column->addWidget(makeStrip());
     column->addWidget(desk(), 1);
     m_bar->setObjectName(QStringLiteral("messageBar"));
     m_lockBar->setObjectName(QStringLiteral("lockBar"));
-    m_strip->addBadge(new ArmBadge(m_orders));
-    m_strip->addBadge(new AccessSwitch(authority.access));
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
     addPages(actions);
@@ -60,6 +59,15 @@ ControllerView::ControllerView(
     follow();
     openPage(0);
     onLinkChanged();
+}
+
+RobotStrip *ControllerView::makeStrip()
+{
+    auto *strip = new RobotStrip(m_controller.state(), m_controller.profile());
+    strip->addBadge(new ArmBadge(m_orders));
+    strip->addBadge(new AccessSwitch(m_authority.access));
+    connect(strip, &RobotStrip::holdRequested, this, &ControllerView::hold);
+    return strip;
 }
 
 QWidget *ControllerView::desk()
@@ -96,7 +104,6 @@ void ControllerView::addPages(const Actions &actions)
 void ControllerView::follow()
 {
     using robot::Controller;
-    connect(m_strip, &RobotStrip::holdRequested, this, &ControllerView::hold);
     connect(m_rail, &NavigationRail::pageChosen, this, &ControllerView::openPage);
     connect(&m_controller, &Controller::linkStateChanged, this, &ControllerView::onLinkChanged);
     connect(&m_controller, &Controller::troubleChanged, this, &ControllerView::onLinkChanged);
@@ -110,7 +117,66 @@ void ControllerView::follow()
 /// The pages look at the orders, which look at the controller: the children go first.
 ControllerView::~ControllerView() { qDeleteAll(findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly)); }
 
-void ControllerView::openPage(int row) { m_stack->setCurrentIndex(row); }
+void ControllerView::openPage(int row)
+{
+    if (PageWindow *window = windowOf(m_pages[row])) {
+        window->raise();
+        window->activateWindow();
+    } else {
+        m_stack->setCurrentWidget(m_pages[row]);
+    }
+}
+
+PageWindow *ControllerView::windowOf(const pages::Page *page) const
+{
+    for (PageWindow *window : findChildren<PageWindow *>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (window->page() == page)
+            return window;
+    }
+    return nullptr;
+}
+
+void ControllerView::openInWindow()
+{
+    if (const auto row = m_pages.indexOf(m_stack->currentWidget()); row >= 0)
+        openInWindow(QLatin1String(pageCatalog()[row].id));
+}
+
+void ControllerView::openInWindow(const QString &id)
+{
+    const auto catalog = pageCatalog();
+    const auto found = std::ranges::find_if(catalog, [&](const PageRow &row) { return id == QLatin1String(row.id); });
+    if (found == catalog.end() || m_stack->count() < 2) // the main window keeps one
+        return;
+    pages::Page *page = m_pages[found - catalog.begin()];
+    if (windowOf(page))
+        return openPage(int(found - catalog.begin()));
+    m_stack->removeWidget(page);
+    auto *window =
+        new PageWindow(makeStrip(), page, tr("%1 — %2").arg(title(*found), m_controller.profile().name), this);
+    connect(window, &PageWindow::closed, this, &ControllerView::takeBack);
+    showLink();
+    window->show();
+    Q_EMIT pagesInWindowsChanged();
+}
+
+void ControllerView::takeBack(PageWindow *window)
+{
+    m_stack->addWidget(window->page());
+    window->setParent(nullptr); // no window of ours any more
+    window->deleteLater();
+    Q_EMIT pagesInWindowsChanged();
+}
+
+QStringList ControllerView::pagesInWindows() const
+{
+    QStringList ids;
+    for (qsizetype row = 0; row < m_pages.size(); ++row) {
+        if (windowOf(m_pages[row]))
+            ids << QLatin1String(pageCatalog()[row].id);
+    }
+    return ids;
+}
 
 /// What is read for a page: its topics while it is in view, else nothing.
 void ControllerView::readFor(const pages::Page *page)
@@ -157,7 +223,8 @@ void ControllerView::onHoldProgressChanged()
 void ControllerView::onStatisticsChanged()
 {
     const auto statistics = m_controller.statistics();
-    m_strip->showStatistics(statistics);
+    for (RobotStrip *strip : findChildren<RobotStrip *>())
+        strip->showStatistics(statistics);
     for (pages::Page *page : m_pages)
         page->showStatistics(statistics);
 }
@@ -183,7 +250,8 @@ void ControllerView::releaseLock()
 void ControllerView::showLink()
 {
     const LinkView link = linkView(m_controller);
-    m_strip->showLink(link);
+    for (RobotStrip *strip : findChildren<RobotStrip *>())
+        strip->showLink(link);
     m_rail->showLink(link);
     for (pages::Page *page : m_pages)
         page->showLink(link);

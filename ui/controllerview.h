@@ -26,6 +26,7 @@ struct Authority {
 };
 
 class NavigationRail;
+class PageWindow;
 class RobotStrip;
 
 /// One controller, and its strip, rail, message bar and pages. Another controller gets a new view.
@@ -42,7 +43,15 @@ public:
     [[nodiscard]] robot::Controller &controller() { return m_controller; }
     [[nodiscard]] robot::Orders &orders() { return m_orders; }
     [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
+    /// Brings the page in view, in its own window if it has one.
     void openPage(int row);
+    /// Gives the page a window of its own, beside this one; closing it brings the page back. Pages are told by the
+    /// catalogue's ids.
+    void openInWindow(const QString &id);
+    /// Does so for the page in view.
+    void openInWindow();
+    /// The pages that have windows.
+    [[nodiscard]] QStringList pagesInWindows() const;
     /// Orders HOLD at once, or says why it cannot be ordered.
     void hold();
     /// Orders HLOCK off, or says why it cannot be ordered.
@@ -51,7 +60,14 @@ public:
     void show(const Notice &notice);
     using QWidget::show;
 
+Q_SIGNALS:
+    /// The person opened or closed a window.
+    void pagesInWindowsChanged();
+
 private:
+    [[nodiscard]] RobotStrip *makeStrip();
+    [[nodiscard]] PageWindow *windowOf(const pages::Page *page) const;
+    void takeBack(PageWindow *window);
     [[nodiscard]] QWidget *desk();
     void addPages(const Actions &actions);
     void follow();
@@ -64,7 +80,7 @@ private:
 
     robot::Controller m_controller;
     robot::Orders m_orders;
-    RobotStrip *m_strip;
+    Authority m_authority;
     NavigationRail *m_rail;
     widgets::MessageBar *m_bar;
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.

@@ -108,7 +108,18 @@ void MainWindow::offer(const settings::Profile &profile)
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));
+    if (!profile.host.isEmpty())
+        restoreWindows();
     onLinkStateChanged();
+}
+
+/// The windows that stood open the last time, and from now on what is opened and closed is kept.
+void MainWindow::restoreWindows()
+{
+    for (const QString &id : m_store.pagesInWindows())
+        m_view->openInWindow(id);
+    connect(m_view, &ControllerView::pagesInWindowsChanged, this,
+        [this] { m_store.setPagesInWindows(m_view->pagesInWindows()); });
 }
 
 void MainWindow::connectTo(const settings::Profile &profile)
@@ -132,6 +143,7 @@ void MainWindow::run(ActionId id)
 {
     switch (id) {
     case ActionId::Hold: return m_view->hold();
+    case ActionId::OpenInWindow: return m_view->openInWindow();
     case ActionId::Access: return openAccessMenu();
     case ActionId::Connect: return openConnectionDialog();
     case ActionId::Reconnect: return controller().open();

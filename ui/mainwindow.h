@@ -47,6 +47,7 @@ protected:
 
 private:
     void run(ActionId id);
+    void restoreWindows();
     void openAccessMenu();
     void offerRelease();
     void openConnectionDialog();

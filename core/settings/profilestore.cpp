@@ -144,4 +144,14 @@ QString ProfileStore::lastUsed() const { return m_settings.value(QStringLiteral(
 
 void ProfileStore::setLastUsed(const QString &name) { m_settings.setValue(QStringLiteral("lastProfile"), name); }
 
+QStringList ProfileStore::pagesInWindows() const
+{
+    return m_settings.value(QStringLiteral("window/pagesInWindows")).toStringList();
+}
+
+void ProfileStore::setPagesInWindows(const QStringList &ids)
+{
+    m_settings.setValue(QStringLiteral("window/pagesInWindows"), ids);
+}
+
 } // namespace settings

@@ -37,6 +37,10 @@ public:
     [[nodiscard]] QString lastUsed() const;
     void setLastUsed(const QString &name);
 
+    /// Ids of the pages that had windows of their own; they come back after a restart.
+    [[nodiscard]] QStringList pagesInWindows() const;
+    void setPagesInWindows(const QStringList &ids);
+
 private:
     QSettings &m_settings;
 };

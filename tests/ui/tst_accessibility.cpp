@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLineEdit>
+#include <QMetaEnum>
 #include <QTabBar>
 #include <QTextEdit>
 
@@ -34,6 +35,11 @@ bool isInteractive(QAccessible::Role role)
     }
 }
 
+QString roleWord(QAccessible::Role role)
+{
+    return QLatin1String(QMetaEnum::fromType<QAccessible::Role>().valueToKey(role));
+}
+
 /// What a screen reader meets, in lines of role, name and value.
 class Reader
 {
@@ -46,7 +52,7 @@ public:
         const QString value = node->text(QAccessible::Value);
         if (!name.isEmpty() || !value.isEmpty())
             lines << QStringLiteral("%1%2: %3 = %4")
-                         .arg(QString(2 * depth, u' '), qAccessibleRoleString(node->role()), name, value);
+                         .arg(QString(2 * depth, u' '), roleWord(node->role()), name, value);
         if (isInteractive(node->role()) && name.isEmpty() && node->text(QAccessible::Description).isEmpty())
             nameless << describe(node);
         constexpr int cellsEnough = 60; // a table's first cells tell how all of them read
@@ -63,7 +69,7 @@ private:
         const QObject *object = node->object();
         const QObject *parent = object ? object->parent() : nullptr;
         return QStringLiteral("%1 %2 in %3")
-            .arg(qAccessibleRoleString(node->role()), object ? object->objectName() : QString(),
+            .arg(roleWord(node->role()), object ? object->objectName() : QString(),
                 parent ? parent->objectName() : QString());
     }
 };
