@@ -43,6 +43,18 @@ ArchiveEntry entryOf(const QFileInfo &folder, const QStringList &pinned)
     return entry;
 }
 
+/// Takes a lock away whose program was killed before it could write its name into it; Qt would wait for it for long.
+void clearNamelessLock(const QString &path)
+{
+    QLockFile lock {path};
+    qint64 pid = 0;
+    QString host;
+    QString application;
+    const bool isFresh = QFileInfo {path}.lastModified().secsTo(QDateTime::currentDateTime()) < 2;
+    if (QFileInfo::exists(path) && !isFresh && !lock.getLockInfo(&pid, &host, &application))
+        lock.removeStaleLockFile();
+}
+
 } // namespace
 
 QStringList expired(
@@ -82,7 +94,10 @@ Result<std::unique_ptr<QLockFile>> Archive::lock() const
 {
     if (!QDir {}.mkpath(m_folder))
         return values::failure(ErrorKind::LocalFile, QStringLiteral("%1: the folder cannot be made").arg(m_folder));
-    auto lock = std::make_unique<QLockFile>(m_folder + QStringLiteral("/.lock"));
+    const QString path = m_folder + QStringLiteral("/.lock");
+    clearNamelessLock(path);
+    clearNamelessLock(path + QStringLiteral(".rmlock")); // Qt's own, while it takes a dead program's lock away
+    auto lock = std::make_unique<QLockFile>(path);
     lock->setStaleLockTime(0);
     if (lock->tryLock(0))
         return lock;

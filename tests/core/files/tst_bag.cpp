@@ -338,6 +338,15 @@ void TestBag::letsOneWriteAtATime()
     QVERIFY(Archive(root.path(), QStringLiteral("B")).lock());
     first->reset();
     QVERIFY(archive.lock());
+    // Killed between making the lock and writing into it.
+    const QString path = archive.folder() + QStringLiteral("/.lock");
+    QVERIFY(write(path, ""));
+    QVERIFY(!archive.lock());
+    QFile nameless {path};
+    QVERIFY(nameless.open(QIODevice::ReadWrite));
+    QVERIFY(nameless.setFileTime(QDateTime::currentDateTime().addSecs(-10), QFileDevice::FileModificationTime));
+    nameless.close();
+    QVERIFY(archive.lock());
 }
 
 void TestBag::expires_data()
