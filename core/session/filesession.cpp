@@ -181,7 +181,11 @@ void FileSession::finish(const Result<QByteArray> &result)
     const Service service = m_orders.front().request.service;
     if (result && (service == Service::SaveFile || service == Service::ListFiles))
         m_lastAcknowledgement = m_transfer->lastPacket();
-    m_ids.rest(m_transfer->id(), now() + idLinger);
+    const bool isAnswered = result || result.error().kind == ErrorKind::Refused;
+    if (isAnswered && !m_transfer->wasRepeated())
+        m_ids.giveBack(m_transfer->id());
+    else
+        m_ids.rest(m_transfer->id(), now() + idLinger);
     m_transfer.reset();
     if (!result && result.error().kind != ErrorKind::Refused)
         ++m_counters.lost;

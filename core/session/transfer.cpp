@@ -100,6 +100,7 @@ Transfer::Step Transfer::expire(Time now)
     if (!mayRepeat)
         return {{}, tl::unexpected(silence())};
     ++m_tries;
+    m_wasRepeated = true;
     m_nextTry = std::max(end, now + Milliseconds {1});
     return {m_packet, {}};
 }

@@ -50,6 +50,8 @@ public:
     /// Of a load; a save does not tell its size beforehand.
     [[nodiscard]] qint64 bytesTotal() const { return m_upload.size(); }
     [[nodiscard]] quint8 id() const { return m_id; }
+    /// Some packet was sent twice, so that an answer may come twice too.
+    [[nodiscard]] bool wasRepeated() const { return m_wasRepeated; }
     /// The acknowledgement of the last block of a finished save or list. It may have been lost, then the controller
     /// asks again.
     [[nodiscard]] const QByteArray &lastPacket() const { return m_packet; }
@@ -76,6 +78,7 @@ private:
     Time m_sentAt {};
     Time m_nextTry {};
     int m_tries = 0;
+    bool m_wasRepeated = false;
 };
 
 } // namespace session

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "files/collection.h"
+
+using values::Error;
+using values::ErrorKind;
+using values::FileName;
+using values::Result;
+
+namespace files {
+
+namespace {
+
+constexpr int maxSilences = 5; ///< After that nobody is there any more.
+
+} // namespace
+
+QByteArrayList Collection::allPatterns() { return {"*.JBI", "*.DAT", "*.CND", "*.PRM", "*.SYS", "*.LST"}; }
+
+Collection::Collection(session::FileSession &session, Sink sink, QObject *parent)
+    : Operation {parent}, m_session {session}, m_sink {std::move(sink)}
+{
+}
+
+void Collection::run()
+{
+    m_toList = m_patterns;
+    m_toRead.clear();
+    m_results.clear();
+    m_total = 0;
+    m_silences = 0;
+    listNext();
+}
+
+void Collection::note(const QByteArray &name, const std::optional<Error> &error)
+{
+    m_results << FileResult {name, error};
+    Q_EMIT progressed();
+}
+
+/// True, after ending everything, if it makes no sense to go on.
+bool Collection::isHopeless(const std::optional<Error> &error)
+{
+    const ErrorKind kind = error.value_or(Error {ErrorKind::Refused}).kind;
+    const bool isSilent = kind == ErrorKind::NoAnswer || kind == ErrorKind::Network;
+    m_silences = isSilent ? m_silences + 1 : 0;
+    if (!isCancelling() && kind != ErrorKind::Cancelled && kind != ErrorKind::LocalFile && m_silences < maxSilences)
+        return false;
+    finish(tl::unexpected(isCancelling() ? Error {ErrorKind::Cancelled} : *error));
+    return true;
+}
+
+void Collection::listNext()
+{
+    if (m_toList.isEmpty()) {
+        m_total = int(m_results.size() + qsizetype(m_toRead.size()));
+        return readNext();
+    }
+    list(m_toList.takeFirst());
+}
+
+void Collection::list(const QByteArray &pattern)
+{
+    m_transfer = m_session.list(
+        pattern, this, [this, pattern](const Result<protocol::FileList> &listed) { takeList(pattern, listed); });
+}
+
+void Collection::takeList(const QByteArray &pattern, const Result<protocol::FileList> &listed)
+{
+    const std::optional<Error> error = listed ? std::nullopt : std::optional {listed.error()};
+    if (isHopeless(error))
+        return;
+    if (isSilence())
+        return list(pattern);
+    if (error) {
+        note(pattern, error);
+    } else {
+        for (const FileName &name : listed->names) {
+            if (!m_filter || m_filter(name))
+                m_toRead.insert(name);
+        }
+        for (const QByteArray &name : listed->rejected)
+            note(name, Error {ErrorKind::BadInput, 0, 0, {}});
+    }
+    listNext();
+}
+
+void Collection::readNext()
+{
+    if (m_isListingOnly) {
+        for (const FileName &name : m_toRead)
+            m_results << FileResult {name.bytes(), {}};
+        m_toRead.clear();
+    }
+    if (m_toRead.empty()) {
+        m_current.clear();
+        return finish({});
+    }
+    read(m_toRead.extract(m_toRead.begin()).value());
+}
+
+void Collection::read(const FileName &name)
+{
+    m_current = name.bytes();
+    m_transfer =
+        m_session.save(name, this, [this, name](const Result<QByteArray> &content) { takeFile(name, content); });
+}
+
+void Collection::takeFile(const FileName &name, const Result<QByteArray> &content)
+{
+    const auto taken = content.and_then([&](const QByteArray &bytes) { return m_sink(name, bytes); });
+    const std::optional<Error> error = taken ? std::nullopt : std::optional {taken.error()};
+    if (isHopeless(error))
+        return;
+    if (isSilence())
+        return read(name);
+    note(name.bytes(), error);
+    readNext();
+}
+
+Snapshot::Snapshot(session::FileSession &session, QObject *parent)
+    : Collection {session,
+        [this](const FileName &name, const QByteArray &content) -> Result<void> {
+            m_contents[name] = content;
+            return {};
+        },
+        parent}
+{
+}
+
+FileSet Snapshot::files() const
+{
+    FileSet set = fileSetOf(m_contents);
+    markUnread(set, results());
+    return set;
+}
+
+} // namespace files

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "files/operation.h"
+
+using values::ErrorKind;
+
+namespace files {
+
+namespace {
+
+session::Time now() { return std::chrono::steady_clock::now(); }
+
+} // namespace
+
+session::Milliseconds Operation::duration() const
+{
+    if (m_state == OperationState::Waiting)
+        return {};
+    const session::Time end = isOver() ? m_endedAt : now();
+    return std::chrono::duration_cast<session::Milliseconds>(end - m_startedAt);
+}
+
+void Operation::start()
+{
+    if (m_state == OperationState::Running || m_state == OperationState::Done)
+        return;
+    m_state = OperationState::Running;
+    m_error.reset();
+    m_isCancelling = false;
+    m_startedAt = now();
+    QMetaObject::invokeMethod(this, &Operation::run, Qt::QueuedConnection);
+}
+
+void Operation::reset()
+{
+    if (m_state != OperationState::Failed && m_state != OperationState::Cancelled)
+        return;
+    m_state = OperationState::Waiting;
+    m_error.reset();
+}
+
+void Operation::cancel()
+{
+    if (m_state == OperationState::Waiting) {
+        m_state = OperationState::Cancelled;
+        const auto tell = [this] {
+            if (m_state == OperationState::Cancelled) // and not begun again meanwhile
+                Q_EMIT finished();
+        };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    } else if (m_state == OperationState::Running) {
+        m_isCancelling = true;
+        interrupt();
+    }
+}
+
+void Operation::finish(const values::Result<void> &result)
+{
+    m_endedAt = now();
+    if (result)
+        m_state = OperationState::Done;
+    else if (result.error().kind == ErrorKind::Cancelled)
+        m_state = OperationState::Cancelled;
+    else
+        m_state = OperationState::Failed;
+    if (m_state == OperationState::Failed)
+        m_error = result.error();
+    Q_EMIT finished();
+}
+
+} // namespace files

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "files/restore.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+using values::Error;
+using values::ErrorKind;
+using values::FileName;
+using values::Result;
+
+namespace files {
+
+namespace {
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(files::Restore)
+};
+
+/// Why a file of the bag must not be sent; empty if nothing stands against it.
+QString obstacle(const FileName &name, const FileSet &bag, Change change, const QByteArrayList &jobsInUse)
+{
+    if (!bag.hashes.contains(name))
+        return Texts::tr("It is not in the backup.");
+    if (change == Change::Unread)
+        return Texts::tr("What the controller has could not be read.");
+    const auto content = bag.content(name);
+    if (!content)
+        return Texts::tr("In the backup it is not as it was written.");
+    for (const Finding &finding : preflight(name, *content, jobsInUse)) {
+        if (finding.stops())
+            return explain(finding);
+    }
+    return {};
+}
+
+RestoreItem itemOf(const FileName &name, Change change, const FileSet &bag, const QByteArrayList &jobsInUse)
+{
+    if (change == Change::Same)
+        return {name, RestoreStep::Same};
+    const QString reason = obstacle(name, bag, change, jobsInUse);
+    if (!reason.isEmpty())
+        return {name, RestoreStep::NotAllowed, reason};
+    return {name, change == Change::Gone ? RestoreStep::New : RestoreStep::Changed};
+}
+
+bool isGood(ReadBack readBack) { return readBack == ReadBack::Identical || readBack == ReadBack::Reformatted; }
+
+} // namespace
+
+QList<RestoreItem> planRestore(
+    const FileSet &bag, const FileSet &controller, const QList<FileName> &names, const QByteArrayList &jobsInUse)
+{
+    std::map<FileName, Change> changes;
+    for (const FileChange &change : compare(bag, controller, NoiseFilter::none()))
+        changes[change.name] = change.change;
+    QList<FileName> wanted = names;
+    if (wanted.isEmpty()) {
+        for (const auto &[name, hash] : bag.hashes)
+            wanted << name;
+    }
+    QList<RestoreItem> plan;
+    for (const FileName &name : wanted) {
+        const auto change = changes.find(name);
+        plan << itemOf(name, change == changes.end() ? Change::Unread : change->second, bag, jobsInUse);
+    }
+    return plan;
+}
+
+Restore::Restore(session::FileSession &session, FileSet bag, QList<RestoreItem> plan, BackupOrder freshBackup,
+    Guard guard, QObject *parent)
+    : Operation {parent},
+      m_session {session},
+      m_bag {std::move(bag)},
+      m_plan {std::move(plan)},
+      m_guard {std::move(guard)},
+      m_backup {session, std::move(freshBackup)}
+{
+    connect(&m_backup, &Operation::progressed, this, &Operation::progressed);
+    connect(&m_backup, &Operation::finished, this, &Restore::onBackedUp);
+}
+
+int Restore::filesTotal() const { return int(std::ranges::count_if(m_plan, &RestoreItem::isSent)); }
+
+std::optional<FileName> Restore::current() const { return m_upload ? std::optional {m_upload->name()} : std::nullopt; }
+
+void Restore::run()
+{
+    m_next = 0;
+    m_done = 0;
+    m_guard(this, [this](const Result<void> &permission) {
+        if (!permission)
+            return finish(permission);
+        m_backup.reset();
+        m_backup.start();
+    });
+}
+
+void Restore::interrupt()
+{
+    m_backup.cancel();
+    if (m_upload)
+        m_upload->cancel();
+}
+
+void Restore::onBackedUp()
+{
+    if (m_backup.state() != OperationState::Done)
+        return finish(tl::unexpected(m_backup.error().value_or(Error {ErrorKind::Cancelled})));
+    const auto bag = Bag::open(m_backup.path());
+    if (!bag)
+        return finish(tl::unexpected(bag.error()));
+    m_before = bag->files();
+    if (isCancelling())
+        return finish(values::failure(ErrorKind::Cancelled));
+    if (!isStillAsPlanned())
+        return finish(values::failure(
+            ErrorKind::NotSent, QStringLiteral("the controller's files have changed since the plan was made")));
+    sendNext();
+}
+
+bool Restore::isStillAsPlanned() const
+{
+    return std::ranges::all_of(m_plan, [this](const RestoreItem &item) {
+        const bool isThere = m_before.hashes.contains(item.name);
+        const bool isKnown = isThere || !m_before.unread.contains(item.name);
+        const bool shouldBeThere = item.step != RestoreStep::New;
+        return !item.isSent()
+            || (isKnown && isThere == shouldBeThere
+                && (!isThere || m_before.hashes.at(item.name) != m_bag.hashes.at(item.name)));
+    });
+}
+
+void Restore::sendNext()
+{
+    const auto next = std::find_if(m_plan.begin() + m_next, m_plan.end(), std::mem_fn(&RestoreItem::isSent));
+    m_next = int(next - m_plan.begin());
+    m_upload.reset();
+    if (next == m_plan.end())
+        return finish({});
+    if (isCancelling())
+        return finish(values::failure(ErrorKind::Cancelled));
+    const auto content = m_bag.content(next->name);
+    if (!content)
+        return finish(tl::unexpected(content.error()));
+    m_upload = std::make_unique<Upload>(m_session, next->name, *content, m_guard);
+    connect(m_upload.get(), &Operation::progressed, this, &Operation::progressed);
+    connect(m_upload.get(), &Operation::finished, this, &Restore::onSent, Qt::QueuedConnection);
+    m_upload->start();
+}
+
+void Restore::onSent()
+{
+    Q_EMIT tried(m_upload.get());
+    if (m_upload->state() == OperationState::Cancelled)
+        return finish(values::failure(ErrorKind::Cancelled));
+    if (m_upload->error())
+        return finish(tl::unexpected(*m_upload->error()));
+    if (!isGood(m_upload->readBack()))
+        return finish(values::failure(ErrorKind::Malformed,
+            m_upload->readBack() == ReadBack::Different
+                ? QStringLiteral("the controller gave another file back than it was sent")
+                : QStringLiteral("the file could not be read back")));
+    ++m_done;
+    ++m_next;
+    Q_EMIT progressed();
+    sendNext();
+}
+
+bool Restore::canPutBack() const
+{
+    return isOver() && state() != OperationState::Done && m_upload && m_before.hashes.contains(m_upload->name());
+}
+
+std::unique_ptr<Upload> Restore::putBack() const
+{
+    const auto content =
+        canPutBack() ? m_before.content(m_upload->name()) : Result<QByteArray> {values::failure(ErrorKind::LocalFile)};
+    return content ? std::make_unique<Upload>(m_session, m_upload->name(), *content, m_guard) : nullptr;
+}
+
+} // namespace files
