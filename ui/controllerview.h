@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robot/orders.h"
+#include "trend/recorder.h"
 #include "ui/messages.h"
 #include <QTimer>
 #include <QWidget>
@@ -81,6 +82,7 @@ private:
     robot::Controller m_controller;
     robot::Orders m_orders;
     Authority m_authority;
+    trend::Recorder m_recorder;
     NavigationRail *m_rail;
     widgets::MessageBar *m_bar;
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
