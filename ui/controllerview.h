@@ -42,6 +42,7 @@ public:
     ~ControllerView() override;
 
     [[nodiscard]] robot::Controller &controller() { return m_controller; }
+    [[nodiscard]] trend::Recorder &recorder() { return m_recorder; }
     [[nodiscard]] robot::Orders &orders() { return m_orders; }
     [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
     /// Brings the page in view, in its own window if it has one.

@@ -43,7 +43,7 @@ Recorder::Recorder(robot::Controller &controller, const QString &folder, QObject
     for (const Signal &signal : m_archive.signalSet())
         m_tracks.push_back(std::make_unique<Track>(Track {signal, label(signal), Unit::Plain, Series {capacity}}));
     connect(&controller.state(), &robot::RobotState::changed, this, &Recorder::onChanged);
-    connect(&m_timer, &QTimer::timeout, this, &Recorder::tick);
+    connect(&m_timer, &QTimer::timeout, this, [this] { tick(now()); });
     m_timer.start(1s);
 }
 
@@ -167,13 +167,13 @@ void Recorder::nameAxes()
     Q_EMIT tracksChanged();
 }
 
-void Recorder::tick()
+void Recorder::tick(Moment now)
 {
     if (m_flight.isKeeping() && !m_isTitled && !m_alarm.isEmpty()) {
         m_flight.setTitle(m_alarmText);
         m_isTitled = true;
     }
-    keep(m_flight.tick(now()));
+    keep(m_flight.tick(now));
     if (m_controller.linkState() == robot::LinkState::Monitoring)
         m_positionInterest = m_controller.poller().want({robot::topics::basePosition});
 }

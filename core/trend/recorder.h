@@ -32,6 +32,8 @@ public:
     [[nodiscard]] QList<Signal> signalSet() const;
 
     [[nodiscard]] const Archive &archive() const { return m_archive; }
+    /// Looks at the clock: incidents that are due are kept. It calls itself once a second.
+    void tick(Moment now);
     /// A signal may be plotted although nothing of it was read yet; so may every other number of this controller.
     [[nodiscard]] const robot::RobotState &state() const { return m_controller.state(); }
 
@@ -50,7 +52,6 @@ private:
     void watchAlarm();
     void watchJob();
     void nameAxes();
-    void tick();
     void keep(std::optional<Incident> incident);
     void save();
 

@@ -34,21 +34,23 @@ void TrackModel::setTracks(const std::vector<const Track *> &tracks)
             continue;
         const int row = int(m_rows.size());
         beginInsertRows({}, row, row);
-        m_rows << Row {track->signal, track, shownCount() < widgets::Plot::mostTracks, {}, {}, {}, {}};
+        m_rows << Row {track->signal, track, shownCount() < widgets::Plot::mostTracks, {}, {}, {}, {}, {}};
         endInsertRows();
     }
-    if (!m_rows.isEmpty())
-        Q_EMIT dataChanged(index(0, 0), index(int(m_rows.size()) - 1, Highest));
-    Q_EMIT shownChanged();
+    assignLetters();
 }
 
 int TrackModel::shownCount() const { return int(std::ranges::count_if(m_rows, &Row::isShown)); }
 
-int TrackModel::letterOf(int row) const
+/// After rows came, went or changed their check mark.
+void TrackModel::assignLetters()
 {
-    if (!m_rows[row].isShown)
-        return -1;
-    return int(std::count_if(m_rows.begin(), m_rows.begin() + row, [](const Row &other) { return other.isShown; }));
+    int next = 0;
+    for (Row &row : m_rows)
+        row.letter = row.isShown ? QString(widgets::Plot::letter(next++)) : QString();
+    if (!m_rows.isEmpty())
+        Q_EMIT dataChanged(index(0, 0), index(int(m_rows.size()) - 1, Highest));
+    Q_EMIT shownChanged();
 }
 
 std::vector<const Track *> TrackModel::shown() const
@@ -93,7 +95,7 @@ QVariant TrackModel::data(const QModelIndex &index, int role) const
         return {};
     const Row &row = m_rows[index.row()];
     switch (role) {
-    case Qt::DisplayRole: return text(row, index.row(), index.column());
+    case Qt::DisplayRole: return text(row, index.column());
     case Qt::CheckStateRole:
         return index.column() == Letter ? QVariant(row.isShown ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::TextAlignmentRole:
@@ -101,17 +103,16 @@ QVariant TrackModel::data(const QModelIndex &index, int role) const
             ? int(Qt::AlignLeft | Qt::AlignVCenter)
             : int(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::ToolTipRole: return index.column() == Value ? row.note : QString();
-    case Qt::AccessibleTextRole:
-        return tr("%1: %2").arg(row.track->label, text(row, index.row(), index.column()).toString());
+    case Qt::AccessibleTextRole: return tr("%1: %2").arg(row.track->label, text(row, index.column()).toString());
     case widgets::signalRole: return trend::key(row.signal);
     default: return {};
     }
 }
 
-QVariant TrackModel::text(const Row &row, int index, int column) const
+QVariant TrackModel::text(const Row &row, int column) const
 {
     switch (column) {
-    case Letter: return letterOf(index) < 0 ? QString() : QString(widgets::Plot::letter(letterOf(index)));
+    case Letter: return row.letter;
     case Label: return row.track->label;
     case Value: return row.value;
     case Unit: return trend::toString(row.track->unit);
@@ -150,8 +151,7 @@ bool TrackModel::setData(const QModelIndex &index, const QVariant &value, int ro
     if (isShown && shownCount() >= widgets::Plot::mostTracks)
         return false;
     m_rows[index.row()].isShown = isShown;
-    Q_EMIT dataChanged(this->index(0, Letter), this->index(int(m_rows.size()) - 1, Letter));
-    Q_EMIT shownChanged();
+    assignLetters();
     return true;
 }
 

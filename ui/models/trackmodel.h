@@ -44,6 +44,7 @@ private:
         trend::Signal signal;
         const trend::Track *track = nullptr;
         bool isShown = false;
+        QString letter; ///< Empty while it is not shown.
         QString value;
         QString note; ///< Why there is no value.
         QString lowest;
@@ -51,9 +52,9 @@ private:
     };
 
     [[nodiscard]] int shownCount() const;
-    [[nodiscard]] int letterOf(int row) const; ///< -1 if it is not shown.
+    void assignLetters();
     void refreshRow(Row &row, const trend::Range &range, std::optional<trend::Moment> cursor) const;
-    [[nodiscard]] QVariant text(const Row &row, int index, int column) const;
+    [[nodiscard]] QVariant text(const Row &row, int column) const;
 
     QList<Row> m_rows;
 };

@@ -48,11 +48,19 @@ QPushButton *button(const char *name, const QString &words)
     return result;
 }
 
-template <typename Tracks> std::vector<const Track *> pointers(const Tracks &tracks)
+std::vector<const Track *> tracksOf(const trend::Incident &incident)
 {
     std::vector<const Track *> result;
-    for (const auto &track : tracks)
-        result.push_back(std::to_address(&*track));
+    for (const Track &track : incident.tracks)
+        result.push_back(&track);
+    return result;
+}
+
+std::vector<const Track *> tracksOf(const trend::Recorder &recorder)
+{
+    std::vector<const Track *> result;
+    for (const auto &track : recorder.tracks())
+        result.push_back(track.get());
     return result;
 }
 
@@ -219,7 +227,7 @@ void TrendPage::showLink(const ui::LinkView &link)
 
 void TrendPage::setTracks()
 {
-    m_model->setTracks(m_incident ? pointers(m_incident->tracks) : pointers(m_recorder.tracks()));
+    m_model->setTracks(m_incident ? tracksOf(*m_incident) : tracksOf(m_recorder));
     refresh();
 }
 
