@@ -91,7 +91,8 @@ QWidget *ControllerView::desk()
 
 void ControllerView::addPages(const Actions &actions)
 {
-    const pages::Context context {m_controller, m_orders, m_controller.state(), m_controller.profile(), actions, m_recorder};
+    const pages::Context context {
+        m_controller, m_orders, m_controller.state(), m_controller.profile(), actions, m_recorder};
     for (const PageRow &row : pageCatalog()) {
         pages::Page *page = row.create(context, m_stack);
         page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));
