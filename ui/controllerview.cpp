@@ -35,6 +35,7 @@ ControllerView::ControllerView(
       m_controller {profile},
       m_orders {m_controller, authority.access, authority.arming},
       m_authority {authority},
+      m_recorder {m_controller, trend::Archive::folderOf(profile.name)},
       m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
       m_bar {new widgets::MessageBar},
       m_lockBar {new widgets::MessageBar},
@@ -90,7 +91,8 @@ QWidget *ControllerView::desk()
 
 void ControllerView::addPages(const Actions &actions)
 {
-    const pages::Context context {m_controller, m_orders, m_controller.state(), m_controller.profile(), actions};
+    const pages::Context context {
+        m_controller, m_orders, m_controller.state(), m_controller.profile(), actions, m_recorder};
     for (const PageRow &row : pageCatalog()) {
         pages::Page *page = row.create(context, m_stack);
         page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robot/orders.h"
+#include "trend/recorder.h"
 #include "ui/messages.h"
 #include <QTimer>
 #include <QWidget>
@@ -41,6 +42,7 @@ public:
     ~ControllerView() override;
 
     [[nodiscard]] robot::Controller &controller() { return m_controller; }
+    [[nodiscard]] trend::Recorder &recorder() { return m_recorder; }
     [[nodiscard]] robot::Orders &orders() { return m_orders; }
     [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
     /// Brings the page in view, in its own window if it has one.
@@ -81,6 +83,7 @@ private:
     robot::Controller m_controller;
     robot::Orders m_orders;
     Authority m_authority;
+    trend::Recorder m_recorder;
     NavigationRail *m_rail;
     widgets::MessageBar *m_bar;
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.

@@ -3,6 +3,8 @@
 #include "ui/pagecatalog.h"
 
 #include "ui/pages/overviewpage.h"
+#include "ui/pages/positionpage.h"
+#include "ui/pages/trendpage.h"
 #include <QCoreApplication>
 
 namespace ui {
@@ -17,6 +19,8 @@ template <typename Page> pages::Page *create(const pages::Context &context, QWid
 #define TITLE(text) QT_TRANSLATE_NOOP("Pages", text)
 constexpr PageRow rows[] {
     {"overview", TITLE("Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
+    {"position", TITLE("Position"), "position", "Ctrl+6", create<pages::PositionPage>},
+    {"trend", TITLE("Trend"), "trend", "Ctrl+0", create<pages::TrendPage>},
 };
 #undef TITLE
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/words.h"
 
+#include "values/form.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
@@ -153,6 +155,63 @@ QString millimetres(qint32 micrometres) { return number(micrometres / 1000.0, 3)
 QString degrees(qint32 tenThousandths) { return number(tenThousandths / 10000.0, 4); }
 
 QString pulses(qint32 pulses) { return QLocale().toString(pulses); }
+
+QString axisText(values::PositionType type, int axis, qint32 word)
+{
+    switch (values::axisUnit(type, axis)) {
+    case values::AxisUnit::Micrometre: return millimetres(word);
+    case values::AxisUnit::TenThousandthDegree: return degrees(word);
+    case values::AxisUnit::Pulse: break;
+    }
+    return pulses(word);
+}
+
+QString axisUnit(values::PositionType type, int axis)
+{
+    switch (values::axisUnit(type, axis)) {
+    case values::AxisUnit::Micrometre: return Words::tr("mm");
+    case values::AxisUnit::TenThousandthDegree: return Words::tr("°");
+    case values::AxisUnit::Pulse: break;
+    }
+    return Words::tr("pulses");
+}
+
+QString quantityText(const trend::Quantity &quantity)
+{
+    const auto fixed = [&](int decimals) { return QLocale().toString(quantity.value, 'f', decimals); };
+    switch (quantity.unit) {
+    case trend::Unit::Bit:
+    case trend::Unit::Pulse:
+    case trend::Unit::Celsius: return fixed(0);
+    case trend::Unit::Percent:
+    case trend::Unit::Hour: return fixed(2);
+    case trend::Unit::Millimetre: return fixed(3);
+    case trend::Unit::Degree: return fixed(4);
+    case trend::Unit::Plain: break;
+    }
+    return QLocale().toString(quantity.value, 'g', 8);
+}
+
+namespace {
+
+QString bitWords(quint32 form, std::span<const values::FormBit> table)
+{
+    QStringList words;
+    for (std::size_t bit = 0; bit < table.size(); ++bit)
+        words << QCoreApplication::translate("values", form >> bit & 1 ? table[bit].on : table[bit].off);
+    return words.join(QStringLiteral(" · "));
+}
+
+constexpr std::size_t plainFormBits = 6; ///< Front/back to S; then the redundant one.
+
+} // namespace
+
+QString formText(quint32 form, bool isRedundant)
+{
+    return bitWords(form, values::formBits().first(plainFormBits + (isRedundant ? 1 : 0)));
+}
+
+QString extendedFormText(quint32 form) { return bitWords(form, values::extendedFormBits()); }
 
 QString roundTripText(std::optional<std::chrono::microseconds> trip)
 {

@@ -4,8 +4,10 @@
 
 #include "protocol/text.h"
 #include "session/statistics.h"
+#include "trend/signal.h"
 #include "ui/widgets/shown.h"
 #include "values/job.h"
+#include "values/position.h"
 #include "values/status.h"
 #include <QByteArrayView>
 
@@ -39,6 +41,16 @@ namespace ui {
 [[nodiscard]] QString millimetres(qint32 micrometres); ///< Three decimals, by the locale.
 [[nodiscard]] QString degrees(qint32 tenThousandths); ///< Four decimals, by the locale.
 [[nodiscard]] QString pulses(qint32 pulses); ///< Grouped, by the locale.
+
+/// One word of a position in its unit (reference §5.1), and the unit: "mm", "°", "pulses".
+[[nodiscard]] QString axisText(values::PositionType type, int axis, qint32 word);
+/// A plotted number with the decimals of its unit, by the locale; the unit does not follow it.
+[[nodiscard]] QString quantityText(const trend::Quantity &quantity);
+[[nodiscard]] QString axisUnit(values::PositionType type, int axis);
+/// The bits of a form word in words: "front · upper arm · flip". The bit that matters on writing only is left out, and
+/// so is the one for redundant arms unless it is one.
+[[nodiscard]] QString formText(quint32 form, bool isRedundant);
+[[nodiscard]] QString extendedFormText(quint32 form);
 
 [[nodiscard]] QString roundTripText(std::optional<std::chrono::microseconds> trip); ///< "2.1 ms", "—"
 [[nodiscard]] QString percent(double share); ///< "0.0 %" of a share from 0 to 1.

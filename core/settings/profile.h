@@ -5,8 +5,11 @@
 #include "protocol/dialect.h"
 #include "protocol/packet.h"
 #include "protocol/text.h"
+#include "values/position.h"
 #include <QString>
+#include <array>
 #include <chrono>
+#include <map>
 
 namespace settings {
 
@@ -25,6 +28,9 @@ struct Profile {
     int readRepeats = 2; ///< 0 to 10.
     int window = 1; ///< Requests outstanding at once, 1 to 8.
     int requestsPerSecond = 100; ///< Ceiling; 1 to 10000.
+    /// By the pulse instance of a control group, for each of its axes; 0 where it is not known. HSES does not tell it
+    /// (reference §5.1), so degrees are shown only where a person entered it.
+    std::map<quint16, std::array<double, values::maxAxes>> pulsesPerDegree;
     bool isSimulation = false; ///< The embedded virtual controller: the window says SIMULATION.
 
     bool operator==(const Profile &) const = default;

@@ -3,6 +3,7 @@
 #include "settings/profilestore.h"
 
 #include <QCoreApplication>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QSettings>
 
@@ -35,6 +36,33 @@ void describe(auto &&visit, auto &profile)
 qint64 number(std::chrono::milliseconds duration) { return duration.count(); }
 qint64 number(qint64 value) { return value; }
 
+QJsonObject factorsToJson(const Profile &profile)
+{
+    QJsonObject json;
+    for (const auto &[instance, factors] : profile.pulsesPerDegree)
+        json[QString::number(instance)] =
+            QJsonArray {factors[0], factors[1], factors[2], factors[3], factors[4], factors[5], factors[6], factors[7]};
+    return json;
+}
+
+/// The reverse; false if something in it is neither absent nor a finite number.
+bool readFactors(const QJsonObject &json, Profile &profile)
+{
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        bool isInstance = false;
+        const quint16 instance = it.key().toUShort(&isInstance);
+        const QJsonArray factors = it.value().toArray();
+        if (!isInstance || factors.isEmpty() || factors.size() > values::maxAxes)
+            return false;
+        for (qsizetype axis = 0; axis < factors.size(); ++axis) {
+            if (!factors[axis].isDouble())
+                return false;
+            profile.pulsesPerDegree[instance][std::size_t(axis)] = factors[axis].toDouble();
+        }
+    }
+    return true;
+}
+
 QString rangeSentence(const char *label, int least, int most)
 {
     return tr("%1 must be a whole number from %2 to %3.").arg(tr(label)).arg(least).arg(most);
@@ -51,6 +79,8 @@ QJsonObject toJson(const Profile &profile)
     describe([&](const char *key, const char *, int, int,
                  const auto &value) { json[QLatin1StringView(key)] = number(value); },
         profile);
+    if (!profile.pulsesPerDegree.empty())
+        json[QStringLiteral("pulsesPerDegree")] = factorsToJson(profile);
     return json;
 }
 
@@ -84,6 +114,8 @@ values::Result<Profile> profileFromJson(const QJsonObject &json)
                 value = std::remove_reference_t<decltype(value)>(int(given));
         },
         profile);
+    if (!readFactors(json.value(u"pulsesPerDegree").toObject(), profile))
+        trouble = tr("Pulses per degree must be lists of numbers, one list for each control group.");
     if (trouble.isEmpty())
         trouble = complaint(profile);
     if (!trouble.isEmpty())

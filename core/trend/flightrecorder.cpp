@@ -17,7 +17,7 @@ void FlightRecorder::take(const Signal &signal, const Quantity &quantity, Moment
     auto found = m_tracks.find(signal);
     if (found == m_tracks.end())
         found = m_tracks.emplace(signal, Track {signal, label(signal), quantity.unit, Series {capacity}}).first;
-    found->second.append(at, quantity);
+    found->second.append(at, quantity, &Series::extend);
 }
 
 void FlightRecorder::breakOff(robot::Topic topic, Moment at)
@@ -36,10 +36,14 @@ void FlightRecorder::note(Moment at, const QString &text)
 void FlightRecorder::trigger(Moment at, const QString &text)
 {
     note(at, text);
-    if (!m_edge)
+    if (!m_edge) {
         m_edge = at;
+        m_title = text;
+    }
     m_due = std::min(at + after, *m_edge - before + span);
 }
+
+void FlightRecorder::setTitle(const QString &title) { m_title = title; }
 
 std::optional<Incident> FlightRecorder::tick(Moment now)
 {
@@ -60,11 +64,13 @@ std::optional<Incident> FlightRecorder::finish(Moment now)
 
 Incident FlightRecorder::cut(const Range &range) const
 {
-    Incident incident {{}, *m_edge, range, {}, {}};
+    Incident incident {{}, m_title, *m_edge, range, {}, {}};
     std::ranges::copy_if(
         m_notes, std::back_inserter(incident.notes), [&](const Note &note) { return range.contains(note.at); });
     for (const auto &[signal, track] : m_tracks) {
         Track kept {signal, track.label, track.unit, Series {capacity}};
+        if (const auto held = track.series.heldAt(range.from))
+            kept.series.append(range.from, *held);
         for (const Sample &sample : track.series.within(range))
             kept.series.append(sample.at, sample.value);
         if (!std::ranges::all_of(kept.series.samples(), &Sample::isGap))

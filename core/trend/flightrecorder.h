@@ -26,19 +26,24 @@ public:
     /// An alarm edge. One that comes while another is being kept belongs to the same incident, which then lasts until
     /// twenty seconds after this one; five minutes after its beginning at the latest.
     void trigger(Moment at, const QString &text);
+    /// What it was turns out later: the title of the incident that is being kept.
+    void setTitle(const QString &title);
     /// Ends what is due; call it a few times a second. An incident is told once, with labels that count the axes and
     /// without the controller's name. Signals of which nothing is known in that time are left out.
     [[nodiscard]] std::optional<Incident> tick(Moment now);
     /// Ends the incident that is being kept before its time: the program closes.
     [[nodiscard]] std::optional<Incident> finish(Moment now);
     [[nodiscard]] bool isKeeping() const { return m_edge.has_value(); }
+    /// Of the incident that is being kept.
+    [[nodiscard]] const std::optional<Moment> &edge() const { return m_edge; }
 
 private:
     [[nodiscard]] Incident cut(const Range &range) const;
 
     std::map<Signal, Track> m_tracks;
     QList<Note> m_notes;
-    std::optional<Moment> m_edge; ///< Of the incident that is being kept.
+    std::optional<Moment> m_edge;
+    QString m_title;
     Moment m_due {}; ///< When it is over.
 };
 

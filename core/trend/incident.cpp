@@ -103,12 +103,6 @@ Result<void> readNotes(const QJsonArray &notes, Incident &incident)
 
 } // namespace
 
-QString Incident::title() const
-{
-    const auto found = std::ranges::find(notes, at, &Note::at);
-    return found == notes.end() ? QString {} : found->text;
-}
-
 QJsonObject toJson(const Incident &incident)
 {
     QJsonArray notes;
@@ -117,9 +111,9 @@ QJsonObject toJson(const Incident &incident)
     QJsonArray tracks;
     for (const Track &track : incident.tracks)
         tracks << toJson(track, incident.at);
-    return {{s("version"), version}, {s("controller"), incident.controller}, {s("at"), toIso(incident.at)},
-        {s("from"), toIso(incident.range.from)}, {s("to"), toIso(incident.range.to)}, {s("notes"), notes},
-        {s("tracks"), tracks}};
+    return {{s("version"), version}, {s("controller"), incident.controller}, {s("title"), incident.title},
+        {s("at"), toIso(incident.at)}, {s("from"), toIso(incident.range.from)}, {s("to"), toIso(incident.range.to)},
+        {s("notes"), notes}, {s("tracks"), tracks}};
 }
 
 Result<Incident> incidentFromJson(const QJsonObject &json)
@@ -133,7 +127,7 @@ Result<Incident> incidentFromJson(const QJsonObject &json)
         if (!moment)
             return tl::unexpected(moment.error());
     }
-    Incident incident {json[s("controller")].toString(), *at, {*from, *to}, {}, {}};
+    Incident incident {json[s("controller")].toString(), json[s("title")].toString(), *at, {*from, *to}, {}, {}};
     if (!incident.range.contains(*at))
         return failure(ErrorKind::BadInput, QStringLiteral("the alarm lies outside the recording"));
     if (const auto read = readNotes(json[s("notes")].toArray(), incident); !read)

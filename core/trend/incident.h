@@ -20,13 +20,11 @@ struct Note {
 /// What was recorded around an alarm.
 struct Incident {
     QString controller; ///< The profile's name.
+    QString title; ///< What happened: "Alarm 4315 …".
     Moment at; ///< The alarm edge.
     Range range {};
     QList<Note> notes; ///< In the order of time.
     std::vector<Track> tracks;
-
-    /// The note of the edge itself; empty if there is none.
-    [[nodiscard]] QString title() const;
 };
 
 /// As a file: times in UTC, samples as milliseconds after the edge and value, null for a gap.

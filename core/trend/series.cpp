@@ -17,6 +17,14 @@ void Series::put(const Sample &sample)
 
 void Series::append(Moment at, double value) { put({at, value}); }
 
+void Series::extend(Moment at, double value)
+{
+    const auto count = m_samples.size();
+    if (count >= 2 && m_samples[count - 1].value == value && m_samples[count - 2].value == value)
+        m_samples.pop_back();
+    put({at, value});
+}
+
 void Series::breakOff(Moment at)
 {
     if (m_samples.empty() || m_samples.back().isGap())
@@ -40,6 +48,14 @@ Series::View Series::around(const Range &range) const
 {
     auto [first, last] = within(range);
     return {first == m_samples.begin() ? first : first - 1, last == m_samples.end() ? last : last + 1};
+}
+
+std::optional<double> Series::heldAt(Moment at) const
+{
+    const auto after = std::ranges::upper_bound(m_samples, at, {}, &Sample::at);
+    if (after == m_samples.begin() || after == m_samples.end() || std::prev(after)->value != after->value)
+        return std::nullopt;
+    return after->value;
 }
 
 const Sample *Series::valueAt(Moment at) const

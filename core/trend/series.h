@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <ranges>
 #include <span>
 
@@ -52,6 +53,9 @@ public:
     /// What is newly said counts: samples at `at` or later are dropped, so that setting the clock back never mixes the
     /// order.
     void append(Moment at, double value);
+    /// The same, but a value that stays takes two samples only: the first and the last that said so. Drawn as a line it
+    /// looks the same.
+    void extend(Moment at, double value);
     /// From `at` on nothing is known. Saying so again adds nothing.
     void breakOff(Moment at);
     /// Drops what was before `moment`.
@@ -68,6 +72,8 @@ public:
     [[nodiscard]] View around(const Range &range) const;
     /// The last sample at `at` or before; nullptr if there is none or a gap lies there.
     [[nodiscard]] const Sample *valueAt(Moment at) const;
+    /// The value at a moment between two samples that are equal; nullopt elsewhere.
+    [[nodiscard]] std::optional<double> heldAt(Moment at) const;
 
 private:
     void put(const Sample &sample);

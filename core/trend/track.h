@@ -15,12 +15,12 @@ struct Track {
     Series series;
 
     /// A quantity of another unit begins anew: a P variable that was taught in pulses and now holds millimetres.
-    void append(Moment at, const Quantity &quantity)
+    void append(Moment at, const Quantity &quantity, void (Series::*put)(Moment, double) = &Series::append)
     {
         if (quantity.unit != unit)
             series.clear();
         unit = quantity.unit;
-        series.append(at, quantity.value);
+        (series.*put)(at, quantity.value);
     }
 };
 

@@ -87,6 +87,7 @@ public:
     [[nodiscard]] QString barText() const { return bar()->isVisible() ? bar()->message().text : QString(); }
 
     QTemporaryDir folder;
+    bool isDataHere = qputenv("XDG_DATA_HOME", folder.path().toLocal8Bit()); ///< Before anything is kept.
     QSettings file;
     settings::ProfileStore store;
     robot::Access access;

@@ -3,6 +3,7 @@
 #include "ui/pages/page.h"
 
 #include "ui/pages/notconnectedpanel.h"
+#include "ui/widgets/plottable.h"
 #include <QStackedLayout>
 
 namespace pages {
@@ -12,6 +13,7 @@ Page::Page(const Context &context, QWidget *parent) : QWidget(parent), m_layers 
     auto *panel = new NotConnectedPanel(context);
     panel->setObjectName(QStringLiteral("notConnected"));
     m_layers->addWidget(panel);
+    new widgets::Plottables(context.recorder, this);
 }
 
 void Page::setContent(QWidget *content) { m_layers->addWidget(content); }

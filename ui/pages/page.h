@@ -12,6 +12,10 @@ namespace ui {
 class Actions;
 }
 
+namespace trend {
+class Recorder;
+}
+
 namespace pages {
 
 /// What a page is made of. All of it outlives the page: a window makes new pages for another controller.
@@ -21,6 +25,7 @@ struct Context {
     const robot::RobotState &state;
     const settings::Profile &profile;
     const ui::Actions &actions;
+    trend::Recorder &recorder; ///< What is plotted and kept of this controller.
 };
 
 /// One page of the window: what it shows when there is a link, and the way to a connection when there is none. What

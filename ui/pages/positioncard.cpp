@@ -28,32 +28,12 @@ ValueLabel *valueLabel(const QString &name, ui::Type type, const QString &reserv
     return label;
 }
 
-QString axisText(values::PositionType type, int axis, qint32 word)
-{
-    switch (values::axisUnit(type, axis)) {
-    case values::AxisUnit::Micrometre: return ui::millimetres(word);
-    case values::AxisUnit::TenThousandthDegree: return ui::degrees(word);
-    case values::AxisUnit::Pulse: break;
-    }
-    return ui::pulses(word);
-}
-
-QString unitText(values::PositionType type, int axis)
-{
-    switch (values::axisUnit(type, axis)) {
-    case values::AxisUnit::Micrometre: return PositionCard::tr("mm");
-    case values::AxisUnit::TenThousandthDegree: return PositionCard::tr("°");
-    case values::AxisUnit::Pulse: break;
-    }
-    return PositionCard::tr("pulses");
-}
-
 /// The word of one axis, for shown().
 auto wordOf(int axis)
 {
     return [axis](const values::Position &position) {
         return widgets::Word {
-            axis < position.axes.count() ? axisText(position.type, axis, position.axes[axis]) : widgets::dash()};
+            axis < position.axes.count() ? ui::axisText(position.type, axis, position.axes[axis]) : widgets::dash()};
     };
 }
 
@@ -142,7 +122,7 @@ void PositionCard::showBase()
     for (int axis = 0; axis < values::maxAxes; ++axis) {
         const Cell &cell = m_base[std::size_t(axis)];
         cell.value->show(widgets::shown(reading, m_state.freshness(topics::basePosition), wordOf(axis)));
-        cell.unit->setText(unitText(type, axis));
+        cell.unit->setText(ui::axisUnit(type, axis));
     }
     setNote(reading.value ? tr("R1 · base frame, tool %1  ·  pulses").arg(reading.value->tool)
                           : tr("R1 · base frame  ·  pulses"));

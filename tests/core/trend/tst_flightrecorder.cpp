@@ -69,7 +69,7 @@ void FlightRecorderTest::keepsAMinuteBefore()
     const Incident kept = incident();
     QVERIFY(kept.at == zero + 250s);
     QVERIFY((kept.range == Range {zero + 190s, zero + 270s}));
-    QCOMPARE(kept.title(), QStringLiteral("4315 collision detected"));
+    QCOMPARE(kept.title, QStringLiteral("4315 collision detected"));
     QCOMPARE(kept.notes.size(), 2);
     QCOMPARE(kept.tracks.size(), std::size_t(2));
     const Series &series = kept.tracks[1].series; // status comes before torque
@@ -168,6 +168,7 @@ void FlightRecorderTest::survivesAFile()
     const auto read = incidentFromJson(QJsonDocument::fromJson(file).object());
     QVERIFY(read);
     QCOMPARE(read->controller, kept.controller);
+    QCOMPARE(read->title, kept.title);
     QVERIFY(read->at == kept.at && read->range == kept.range && read->notes == kept.notes);
     QCOMPARE(read->tracks.size(), kept.tracks.size());
     for (std::size_t i = 0; i < kept.tracks.size(); ++i) {

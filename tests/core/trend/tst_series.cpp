@@ -54,6 +54,8 @@ class SeriesTest : public QObject
 private Q_SLOTS:
     void keeps_data();
     void keeps();
+    void extends_data();
+    void extends();
     void finds_data();
     void finds();
     void decimates_data();
@@ -98,6 +100,33 @@ void SeriesTest::keeps()
     QFETCH(Row, said);
     QFETCH(int, capacity);
     QTEST(text(series(said, std::size_t(capacity)).samples()), "kept");
+}
+
+void SeriesTest::extends_data()
+{
+    QTest::addColumn<Row>("said");
+    QTest::addColumn<QString>("kept");
+    QTest::addColumn<double>("heldAt150"); // no number: nothing is held there
+    QTest::newRow("two") << Row {{0, 1}, {100, 1}} << "0:1 100:1" << none;
+    QTest::newRow("three") << Row {{0, 1}, {100, 1}, {200, 1}} << "0:1 200:1" << 1.0;
+    QTest::newRow("change") << Row {{0, 1}, {100, 1}, {200, 1}, {300, 2}} << "0:1 200:1 300:2" << 1.0;
+    QTest::newRow("there and back") << Row {{0, 1}, {100, 2}, {200, 1}} << "0:1 100:2 200:1" << none;
+    QTest::newRow("gap") << Row {{0, 1}, {100, none}, {200, 1}} << "0:1 100:- 200:1" << none;
+}
+
+void SeriesTest::extends()
+{
+    QFETCH(Row, said);
+    QFETCH(double, heldAt150);
+    Series given {100};
+    for (const auto &[at, value] : said) {
+        if (std::isnan(value))
+            given.breakOff(zero + std::chrono::milliseconds {at});
+        else
+            given.extend(zero + std::chrono::milliseconds {at}, value);
+    }
+    QTEST(text(given.samples()), "kept");
+    QVERIFY(given.heldAt(zero + 150ms) == (std::isnan(heldAt150) ? std::nullopt : std::optional(heldAt150)));
 }
 
 void SeriesTest::finds_data()

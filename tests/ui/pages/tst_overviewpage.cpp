@@ -2,13 +2,15 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/overviewpage.h"
 
-#include "robot/controller.h"
+#include "robot/orders.h"
+#include "trend/recorder.h"
 #include "ui/actioncatalog.h"
 #include "ui/robotstrip.h"
 #include "ui/widgets/board.h"
 #include "ui/widgets/valuelabel.h"
 #include <QAbstractButton>
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
 #include <QVBoxLayout>
@@ -95,7 +97,12 @@ struct Desk {
     QWidget window;
     ui::Actions actions {&window};
     robot::Controller controller {profile};
-    pages::OverviewPage page {{controller, state, profile, actions}};
+    robot::Access access;
+    robot::Arming arming;
+    robot::Orders orders {controller, access, arming};
+    QTemporaryDir folder;
+    trend::Recorder recorder {controller, folder.path()};
+    pages::OverviewPage page {{controller, orders, state, profile, actions, recorder}};
 };
 
 bool lay(QWidget &widget, const QSize &size)
