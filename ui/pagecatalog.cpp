@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pagecatalog.h"
 
+#include "ui/pages/jobspage.h"
 #include "ui/pages/overviewpage.h"
 #include <QCoreApplication>
 
@@ -17,6 +18,7 @@ template <typename Page> pages::Page *create(const pages::Context &context, QWid
 #define TITLE(text) QT_TRANSLATE_NOOP("Pages", text)
 constexpr PageRow rows[] {
     {"overview", TITLE("Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
+    {"jobs", TITLE("Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},
 };
 #undef TITLE
 

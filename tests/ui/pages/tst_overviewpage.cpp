@@ -95,7 +95,10 @@ struct Desk {
     QWidget window;
     ui::Actions actions {&window};
     robot::Controller controller {profile};
-    pages::OverviewPage page {{controller, state, profile, actions}};
+    robot::Access access;
+    robot::Arming arming;
+    robot::Orders orders {controller, access, arming};
+    pages::OverviewPage page {{controller, orders, state, profile, actions}};
 };
 
 bool lay(QWidget &widget, const QSize &size)
