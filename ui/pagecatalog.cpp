@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pagecatalog.h"
 
+#include "ui/pages/jobspage.h"
 #include "ui/pages/overviewpage.h"
 #include "ui/pages/positionpage.h"
 #include "ui/pages/trendpage.h"
@@ -20,7 +21,8 @@ template <typename Page> pages::Page *create(const pages::Context &context, QWid
 constexpr PageRow rows[] {
     {"overview", TITLE("Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
     {"position", TITLE("Position"), "position", "Ctrl+6", create<pages::PositionPage>},
-    {"trend", TITLE("Trend"), "trend", "Ctrl+0", create<pages::TrendPage>},
+    {"trend", TITLE("Trend"), "trend", "Ctrl+T", create<pages::TrendPage>},
+    {"jobs", TITLE("Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},
 };
 #undef TITLE
 

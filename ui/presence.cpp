@@ -17,11 +17,11 @@ bool isActivity(QEvent::Type type)
         || type == QEvent::TouchBegin || type == QEvent::TabletPress;
 }
 
-/// The window that a dialog or a menu belongs to.
+/// The window that a dialog or a menu belongs to; a page in a window of its own is at home there.
 QWindow *homeOf(QWindow *window)
 {
-    while (window && (window->transientParent() || window->parent()))
-        window = window->transientParent() ? window->transientParent() : window->parent();
+    while (window && window->type() != Qt::Window && window->transientParent())
+        window = window->transientParent();
     return window;
 }
 

@@ -48,7 +48,8 @@ public:
         profile.host = QStringLiteral("127.0.0.1");
         profile.port = port;
         profile.filePort = filePort;
-        profile.readTimeout = std::chrono::milliseconds {100};
+        profile.readTimeout = readTimeout;
+        profile.servoTimeout = servoTimeout;
         return profile;
     }
 
@@ -92,6 +93,8 @@ public:
     settings::ProfileStore store;
     robot::Access access;
     robot::Arming arming;
+    std::chrono::milliseconds readTimeout {100}; ///< Of the profile.
+    std::chrono::milliseconds servoTimeout {8000};
     quint16 port = 0;
     quint16 filePort = 0;
     std::unique_ptr<virtualcontroller::Server> server;

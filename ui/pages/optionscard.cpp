@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/optionscard.h"
 
-#include <QHBoxLayout>
+#include "ui/conditionwords.h"
+#include <QGridLayout>
 
 namespace pages {
 
@@ -21,33 +22,63 @@ QString holdCondition(robot::LinkState state)
     return OptionsCard::tr("there is no connection: use the pendant.");
 }
 
+constexpr robot::Act acts[] {robot::Act::StartJob, robot::Act::SelectJob, robot::Act::ReleaseHold, robot::Act::ServoOn,
+    robot::Act::ResetAlarm, robot::Act::WriteVariable, robot::Act::Upload, robot::Act::Move};
+
 } // namespace
 
-OptionsCard::OptionsCard(QWidget *parent)
-    : Card(tr("What can I do now?"), parent),
-      m_mark {widgets::text({}, ui::Type::Body, ui::Role::Text1)},
-      m_condition {widgets::sentence({}, ui::Role::Text2)}
+OptionsCard::OptionsCard(robot::Orders &orders, QWidget *parent)
+    : Card(tr("What can I do now?"), parent), m_orders {orders}
 {
-    m_condition->setObjectName(QStringLiteral("holdCondition"));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(m_mark, 0, Qt::AlignTop);
-    row->addWidget(widgets::text(tr("HOLD"), ui::Type::Body, ui::Role::Text1), 0, Qt::AlignTop);
-    row->addWidget(m_condition, 1, Qt::AlignTop);
-    body()->addLayout(row);
-    body()->addWidget(widgets::sentence(
-        tr("This release watches. Starting, moving and writing are not part of it."), ui::Role::Text2));
+    auto *grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(2, 1);
+    m_hold = addRow(grid, QStringLiteral("hold"), tr("HOLD"));
+    for (const robot::Act act : acts)
+        m_acts << addRow(grid, QLatin1String(robot::key(act)), ui::title(act));
+    body()->addLayout(grid);
     body()->addStretch();
+    connect(&orders, &robot::Orders::situationChanged, this, &OptionsCard::showActs);
     showLink({});
+    showActs();
+}
+
+OptionsCard::Row OptionsCard::addRow(QGridLayout *grid, const QString &name, const QString &title)
+{
+    const Row row {
+        widgets::text({}, ui::Type::Body, ui::Role::Text1), widgets::text({}, ui::Type::Body, ui::Role::Text2)};
+    row.reason->setObjectName(name + QStringLiteral("Condition"));
+    row.reason->setWordWrap(true);
+    const int line = grid->rowCount();
+    grid->addWidget(row.mark, line, 0, Qt::AlignTop);
+    grid->addWidget(widgets::text(title, ui::Type::Body, ui::Role::Text1), line, 1, Qt::AlignTop);
+    grid->addWidget(row.reason, line, 2, Qt::AlignTop);
+    return row;
+}
+
+void OptionsCard::showRow(const Row &row, bool isPossible, const QString &reason) const
+{
+    row.mark->setText(isPossible ? QStringLiteral("✓") : QStringLiteral("✗"));
+    row.mark->setAccessibleName(isPossible ? tr("possible") : tr("not possible"));
+    row.reason->setText(reason);
 }
 
 void OptionsCard::showLink(const ui::LinkView &link)
 {
     const bool isPossible = link.state != robot::LinkState::Disconnected;
-    m_mark->setText(isPossible ? QStringLiteral("✓") : QStringLiteral("✗"));
-    m_mark->setAccessibleName(isPossible ? tr("possible") : tr("not possible"));
-    widgets::setTextRole(m_mark, isPossible ? ui::Role::Text1 : ui::Role::Amber);
-    m_condition->setText(holdCondition(link.state));
+    widgets::setTextRole(m_hold.mark, isPossible ? ui::Role::Text1 : ui::Role::Amber);
+    showRow(m_hold, isPossible, holdCondition(link.state));
+}
+
+void OptionsCard::showActs()
+{
+    for (qsizetype i = 0; i < m_acts.size(); ++i) {
+        const auto obstacle = m_orders.obstacle(acts[i]);
+        showRow(m_acts[i], !obstacle, obstacle ? ui::complaint(*obstacle) : QString());
+        m_acts[i].reason->setToolTip(
+            obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model) : QString());
+    }
 }
 
 } // namespace pages

@@ -25,7 +25,7 @@ constexpr widgets::Arrangement arrangements[] {{3, wide}, {2, medium}, {1, narro
 } // namespace
 
 OverviewPage::OverviewPage(const Context &context, QWidget *parent)
-    : Page(context, parent), m_linkCard {new LinkCard(context.profile)}, m_optionsCard {new OptionsCard}
+    : Page(context, parent), m_linkCard {new LinkCard(context.profile)}, m_optionsCard {new OptionsCard(context.orders)}
 {
     auto *board = new widgets::Board(arrangements);
     board->add(new StateCard(context.state));

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "robot/orders.h"
-#include "virtualcontroller/machine.h"
-#include "virtualcontroller/server.h"
+#include "support/cell.h"
 #include <QSignalSpy>
-#include <QTest>
 
 using namespace std::chrono_literals;
 using namespace robot;
@@ -15,55 +12,8 @@ using values::Status;
 using virtualcontroller::Direction;
 using virtualcontroller::FaultKind;
 using virtualcontroller::Faults;
-using virtualcontroller::Server;
 
 namespace {
-
-/// A controller with a job selected, servo on and at rest, and the door to it.
-struct Cell {
-    explicit Cell(std::chrono::milliseconds servoDelay = 0ms)
-    {
-        virtualcontroller::Options options;
-        options.port = 0;
-        options.filePort = 0;
-        options.settings.servoDelay = servoDelay;
-        server = std::make_unique<Server>(options);
-        isUp = server->start().has_value();
-        server->memory().status =
-            Status {Status::Data1 {Status::Remote} | Status::Play | Status::Continuous, Status::ServoOn};
-        virtualcontroller::selectJob(server->memory(), 0, "HOME", 0);
-        settings::Profile profile;
-        profile.name = QStringLiteral("CELL 4");
-        profile.host = QStringLiteral("127.0.0.1");
-        profile.port = server->port();
-        profile.filePort = server->filePort();
-        profile.readTimeout = 100ms;
-        profile.servoTimeout = 1000ms;
-        controller = std::make_unique<Controller>(profile);
-        job = controller->poller().want({topics::masterJob});
-        orders = std::make_unique<Orders>(*controller, access, arming);
-        QObject::connect(orders.get(), &Orders::recorded, orders.get(),
-            [this](const journal::OrderRecord &record) { records << record; });
-        controller->open();
-    }
-
-    [[nodiscard]] bool live(Level level = Level::Engineer)
-    {
-        access.enter(level);
-        return isUp && QTest::qWaitFor([this] { return orders->situation().isLinkUp; })
-            && QTest::qWaitFor([this] { return orders->situation().status && orders->situation().job; });
-    }
-    [[nodiscard]] bool armed() { return live() && orders->arm(); }
-
-    Access access;
-    Arming arming;
-    std::unique_ptr<Server> server;
-    std::unique_ptr<Controller> controller;
-    Poller::Interest job;
-    std::unique_ptr<Orders> orders;
-    QList<journal::OrderRecord> records;
-    bool isUp = false;
-};
 
 /// Keeps what a handler was told, and how often.
 struct Told {

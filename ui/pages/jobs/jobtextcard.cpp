@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pages/jobs/jobtextcard.h"
+
+#include "protocol/codes.h"
+#include "ui/widgets/jobview.h"
+#include "ui/widgets/messagebar.h"
+#include "ui/words.h"
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QPushButton>
+
+namespace pages {
+
+using robot::JobLibrary;
+using robot::JobMark;
+using robot::JobText;
+using values::FileName;
+
+JobTextCard::JobTextCard(const Context &context, JobLibrary &library, QWidget *parent)
+    : Card(tr("Job text"), parent),
+      m_state {context.state},
+      m_library {library},
+      m_encoding {context.profile.encoding},
+      m_old {new widgets::MessageBar},
+      m_view {new widgets::JobView},
+      m_empty {widgets::sentence(tr("Choose a job in the list to read it."), ui::Role::Text2)},
+      m_outline {new QListWidget},
+      m_follow {new QCheckBox(tr("Follow what is executed"))},
+      m_read {new QPushButton(tr("Read again"))}
+{
+    m_old->setObjectName(QStringLiteral("oldCopy"));
+    m_view->setObjectName(QStringLiteral("jobText"));
+    m_empty->setObjectName(QStringLiteral("jobTextEmpty"));
+    m_follow->setObjectName(QStringLiteral("followJob"));
+    m_follow->setChecked(true);
+    m_read->setObjectName(QStringLiteral("readJob"));
+    m_read->setEnabled(false);
+    auto *texts = new QHBoxLayout;
+    texts->addWidget(m_view, 3);
+    texts->addWidget(outline(), 1);
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_follow);
+    row->addStretch();
+    row->addWidget(m_read);
+    body()->addWidget(m_old);
+    body()->addWidget(m_empty);
+    body()->addLayout(texts, 1);
+    body()->addLayout(row);
+    connect(m_old, &widgets::MessageBar::linkActivated, m_read, &QPushButton::click);
+    connect(m_read, &QPushButton::clicked, this, [this] { m_library.readText(*m_job); });
+    connect(m_follow, &QCheckBox::toggled, m_view, &widgets::JobView::setFollowing);
+    connect(&library, &JobLibrary::copyChanged, this, &JobTextCard::showCopy);
+    connect(&m_state, &robot::RobotState::changed, this, &JobTextCard::onStateChanged);
+    m_old->show({});
+}
+
+QWidget *JobTextCard::outline()
+{
+    m_outline->setObjectName(QStringLiteral("jobOutline"));
+    m_outline->setAccessibleName(tr("Labels and calls"));
+    m_outline->setFrameShape(QFrame::NoFrame);
+    m_outline->setFont(ui::font(ui::Type::Label));
+    const auto jump = [this](int row) {
+        if (row >= 0 && row < m_marks.size())
+            m_view->goTo(m_marks[row].line);
+    };
+    connect(m_outline, &QListWidget::currentRowChanged, this, jump);
+    auto *result = new QWidget;
+    auto *column = new QVBoxLayout(result);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(widgets::text(tr("Labels and calls"), ui::Type::Label, ui::Role::Text2));
+    column->addWidget(m_outline, 1);
+    return result;
+}
+
+QString JobTextCard::text(QByteArrayView bytes) const { return ui::controllerText(bytes, m_encoding); }
+
+void JobTextCard::showJob(const FileName &job)
+{
+    if (m_job == job)
+        return;
+    m_job = job;
+    m_read->setEnabled(true);
+    const auto &copy = m_library.copy(job);
+    if (!copy.text.value || copy.mayBeOld)
+        m_library.readText(job);
+    showCopy();
+}
+
+void JobTextCard::showCopy()
+{
+    if (!m_job)
+        return;
+    const JobLibrary::Copy &copy = m_library.copy(*m_job);
+    const JobText parsed = robot::parseJobText(copy.text.value.value_or(QByteArray()));
+    QStringList lines;
+    for (const QByteArray &line : parsed.lines)
+        lines << text(line);
+    m_view->showLines(lines);
+    showOutline(parsed);
+    showNotes(copy, parsed);
+    showExecutingLine();
+}
+
+void JobTextCard::showOutline(const JobText &parsed)
+{
+    if (parsed.marks == m_marks)
+        return;
+    m_marks = parsed.marks;
+    m_outline->clear();
+    for (const JobMark &mark : m_marks)
+        m_outline->addItem(tr("%1  %2", "line and label").arg(mark.line).arg(text(mark.text)));
+}
+
+void JobTextCard::showNotes(const JobLibrary::Copy &copy, const JobText &parsed)
+{
+    const QString clock = copy.text.clock.toString(u"HH:mm:ss");
+    setTitle(
+        parsed.comment.isEmpty() ? text(m_job->base()) : tr("%1 · %2").arg(text(m_job->base()), text(parsed.comment)));
+    setNote(copy.isReading ? tr("reading…") : copy.text.value ? tr("read at %1").arg(clock) : QString());
+    setReason(copy.trouble ? tr("The job could not be read: %1.").arg(protocol::explain(*copy.trouble)) : QString());
+    const QString old = tr("Read at %1. The controller was in TEACH or the link was lost since: this copy may be old.");
+    m_old->show(copy.mayBeOld && !copy.isReading
+            ? widgets::Message {widgets::Severity::Warning, old.arg(clock), tr("Read again")}
+            : widgets::Message {});
+    if (copy.text.value && parsed.lines.isEmpty())
+        m_empty->setText(tr("This file has no NOP line: it holds no instructions that could be shown."));
+    else
+        m_empty->setText(copy.isReading ? tr("Reading the job…") : tr("The job was not read yet."));
+    m_empty->setVisible(parsed.lines.isEmpty());
+}
+
+void JobTextCard::onStateChanged(const robot::TopicRange &range)
+{
+    if (!range.contains(robot::topics::masterJob) && !range.contains(robot::topics::status))
+        return;
+    const auto &job = m_state.job().value;
+    const QByteArray executing = job ? job->name.bytes().toByteArray() : QByteArray();
+    const bool isRunning = m_state.status().value && m_state.status().value->isRunning();
+    if (isRunning && std::exchange(m_executing, executing) != executing && m_follow->isChecked()) {
+        if (const auto name = FileName::create(executing + ".JBI"); name && !executing.isEmpty())
+            Q_EMIT followed(*name);
+    }
+    showExecutingLine();
+}
+
+/// At rest it is the line that a start begins with, which is marked all the same: the pendant's cursor stands there.
+void JobTextCard::showExecutingLine()
+{
+    const bool isLive = m_state.freshness(robot::topics::masterJob) == robot::Freshness::Live;
+    const bool isThis = m_job && m_state.job().value && m_job->base() == m_state.job().value->name.bytes();
+    m_view->setExecutingLine(isLive && isThis ? std::optional(int(m_state.job().value->line)) : std::nullopt);
+}
+
+} // namespace pages
