@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "ui/conditionwords.h"
 #include "ui/harness.h"
 #include "ui/pagecatalog.h"
 #include "ui/pages/jobspage.h"
@@ -15,6 +16,15 @@
 class JobsHarness : public Harness
 {
 public:
+    /// Patient with a busy computer: a link that is given up disarms.
+    JobsHarness() { readTimeout = std::chrono::milliseconds {300}; }
+
+    /// Why "Start" is not possible, and why arming dropped.
+    [[nodiscard]] QString armingText() const
+    {
+        const auto &drop = arming.lastDrop();
+        return text("reason-start") + u' ' + (drop ? ui::reason(*drop) : QString());
+    }
     [[nodiscard]] bool openJobs(robot::Level level = robot::Level::Engineer)
     {
         if (!connectLive())
@@ -64,7 +74,7 @@ public:
                 find<QAbstractButton>(box)->click();
         }
         QTest::mousePress(find("arm"), Qt::LeftButton);
-        const bool isArmed = QTest::qWaitFor([this] { return arming.isArmed(); });
+        const bool isArmed = QTest::qWaitFor([this] { return arming.isArmed(); }, 2500);
         QTest::mouseRelease(find("arm"), Qt::LeftButton);
         return isArmed;
     }

@@ -127,6 +127,7 @@ private Q_SLOTS:
         Harness harness;
         const ui::Presence presence {harness.access, harness.arming};
         QVERIFY(harness.connectLive());
+        harness.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&harness.window));
         harness.access.enter(Level::Operate);
         QVERIFY(harness.window.view().orders().arm());

@@ -20,19 +20,24 @@ namespace {
 constexpr quint16 startCommand = 0x86;
 using Open = void (*)(JobsHarness &);
 
-void picture(JobsHarness &harness, QWidget *widget, const char *name)
+/// In the scheme that is applied: changing it would stop the event loop for so long that the link is given up.
+void picture(QWidget *widget, const char *name)
 {
     QDir().mkpath(QStringLiteral(PENDESK_PICTURES));
-    for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
-        ui::apply(*qApp, scheme);
-        QCoreApplication::sendPostedEvents();
-        const char *suffix = scheme == ui::Scheme::Light ? "light" : "dark";
-        (widget ? widget : &harness.window)
-            ->grab()
-            .save(QStringLiteral("%1/jobs-%2-%3.png")
-                      .arg(QStringLiteral(PENDESK_PICTURES), QLatin1String(name), QLatin1String(suffix)));
+    const char *scheme = ui::schemeOf(QApplication::palette()) == ui::Scheme::Light ? "light" : "dark";
+    widget->grab().save(QStringLiteral("%1/jobs-%2-%3.png")
+                            .arg(QStringLiteral(PENDESK_PICTURES), QLatin1String(name), QLatin1String(scheme)));
+}
+
+void closeAllButSheet(JobsHarness &harness)
+{
+    while (QWidget *popup = QApplication::activePopupWidget())
+        popup->close();
+    for (QDialog *dialog : harness.window.findChildren<QDialog *>()) {
+        if (dialog != harness.sheet())
+            dialog->close();
     }
-    ui::apply(*qApp, ui::Scheme::Light);
+    harness.window.view().openPage(int(harness.window.view().pages().indexOf(harness.page())));
 }
 
 /// Who gets what is typed now.
@@ -53,6 +58,7 @@ class TestStartStory : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void theWholeStory_data();
     void theWholeStory();
     void theSheetWaitsASecond();
     void theSheetFollowsWhatWouldStart();
@@ -68,41 +74,51 @@ private Q_SLOTS:
     void tenThousandKeysStartNothing();
 };
 
+void TestStartStory::theWholeStory_data()
+{
+    QTest::addColumn<int>("scheme");
+    QTest::newRow("dark") << int(ui::Scheme::Dark);
+    QTest::newRow("light") << int(ui::Scheme::Light);
+}
+
 void TestStartStory::theWholeStory()
 {
+    QFETCH(int, scheme);
+    ui::apply(*qApp, ui::Scheme(scheme));
     JobsHarness harness;
     QVERIFY(harness.openJobs(Level::Operate));
-    picture(harness, nullptr, "1-connected");
+    picture(&harness.window, "1-connected");
     harness.choose(QStringLiteral("PALLET"));
     QTRY_VERIFY(harness.find("select-job")->isEnabled());
     harness.click("select-job");
     QTRY_COMPARE(harness.word("selectedJob"), QStringLiteral("PALLET"));
     QVERIFY(harness.arm());
-    picture(harness, nullptr, "2-armed");
-    QVERIFY(harness.openSheet());
-    picture(harness, harness.sheet(), "3-sheet");
+    picture(&harness.window, "2-armed");
+    const bool isSheetOpen = harness.openSheet();
+    QVERIFY2(isSheetOpen, qPrintable(harness.text("reason-start")));
+    picture(harness.sheet(), "3-sheet");
     QCOMPARE(harness.word("sheetController"), harness.profile().name);
     QCOMPARE(harness.word("sheetJob"), QStringLiteral("PALLET"));
     harness.click("sheetStart");
     QTRY_COMPARE(harness.text("sheetPhase"), QStringLiteral("RUN: the job is running."));
-    picture(harness, harness.sheet(), "4-run");
+    picture(harness.sheet(), "4-run");
     harness.click("sheetClose");
     QCOMPARE(harness.server->arrived(startCommand), 1);
     auto *view = harness.find<widgets::JobView>("jobText");
     QTRY_VERIFY(view->executingLine().value_or(0) > 2);
     QVERIFY(harness.arming.isArmed());
-    picture(harness, nullptr, "5-running");
+    picture(&harness.window, "5-running");
     QTest::keyClick(&harness.window, Qt::Key_Pause);
     QTRY_VERIFY(!harness.server->memory().status.isRunning());
     QTRY_VERIFY(harness.find("release-hold")->isEnabled());
-    picture(harness, nullptr, "6-held");
+    picture(&harness.window, "6-held");
     harness.click("release-hold");
     QTRY_VERIFY(!(harness.server->memory().status.data2 & Status::HeldByCommand));
     QVERIFY(!harness.server->memory().status.isRunning()); // releasing starts nothing
     harness.click("servo-off");
     QTRY_COMPARE(harness.word("jobsServo"), QStringLiteral("OFF"));
     QCOMPARE(harness.server->arrived(startCommand), 1);
-    picture(harness, nullptr, "7-servo-off");
+    picture(&harness.window, "7-servo-off");
 }
 
 void TestStartStory::theSheetWaitsASecond()
@@ -192,7 +208,7 @@ void TestStartStory::refusalsAreExplainedInTheSheet()
     harness.click("sheetStart");
     QTRY_VERIFY(harness.text("sheetPhase").contains(QStringLiteral("0x3040")));
     QVERIFY(harness.text("sheetPhase").contains(QStringLiteral("confirm the position at the pendant")));
-    picture(harness, harness.sheet(), "refused");
+    picture(harness.sheet(), "refused");
 }
 
 void TestStartStory::aLostReplyEndsInTheTruth_data()
@@ -224,22 +240,22 @@ void TestStartStory::aLostReplyEndsInTheTruth()
 /// The story with three of ten exchanges lost. Whatever the person sees, each click of theirs arrives once at the most.
 void TestStartStory::neverTwoStartsUnderLoss()
 {
-    for (quint32 seed = 1; seed <= 4; ++seed) {
+    for (quint32 seed = 1; seed <= 3; ++seed) {
         JobsHarness harness;
-        harness.readTimeout = std::chrono::milliseconds {300};
         harness.servoTimeout = std::chrono::milliseconds {800};
         QVERIFY(harness.openJobs(Level::Operate));
         harness.server->setFaults(Faults {{{.command = {}, .direction = Direction::Request, .probability = 0.163},
                                               {.command = {}, .direction = Direction::Reply, .probability = 0.163}},
             seed});
-        bool isReady = false; // a lost link disarms: then the person begins again
-        for (int round = 0; round < 20 && !isReady; ++round) {
-            if (harness.sheet())
-                delete harness.sheet();
-            isReady = harness.arm() && harness.openSheet();
+        bool isOrdered = false; // a lost link disarms, a late status disables: then the person begins again
+        for (int round = 0; round < 20 && !isOrdered; ++round) {
+            delete harness.sheet();
+            if (!harness.arm() || !harness.openSheet())
+                continue;
+            harness.click("sheetStart");
+            isOrdered = !harness.text("sheetPhase").isEmpty();
         }
-        QVERIFY(isReady);
-        harness.click("sheetStart");
+        QVERIFY(isOrdered);
         QTRY_VERIFY_WITH_TIMEOUT(!harness.text("sheetPhase").endsWith(u'…'), 10000);
         QVERIFY(harness.server->arrived(startCommand) <= 1);
         QTest::keyClick(harness.sheet(), Qt::Key_Pause);
@@ -252,7 +268,9 @@ void TestStartStory::holdFromEveryDialog_data()
 {
     QTest::addColumn<Open>("open");
     QTest::addColumn<QString>("dialog");
-    const auto row = [](const char *dialog, Open open) { QTest::newRow(dialog) << open << QString::fromLatin1(dialog); };
+    const auto row = [](const char *dialog, Open open) {
+        QTest::newRow(dialog) << open << QString::fromLatin1(dialog);
+    };
     row("startSheet", [](JobsHarness &harness) {
         if (harness.arm())
             (void)harness.openSheet();
@@ -341,17 +359,16 @@ void TestStartStory::tenThousandKeysStartNothing()
                 harness.click("start"); // Escape has closed it
         }
         QCOMPARE(harness.server->arrived(startCommand), 0);
-        while (QWidget *popup = QApplication::activePopupWidget())
-            popup->close();
+        closeAllButSheet(harness);
     }
     QCOMPARE(harness.server->arrived(startCommand), 0);
     harness.rest(); // and with the pointer it would have started all along
     harness.access.enter(Level::Engineer);
+    delete harness.sheet();
     QTRY_VERIFY(!harness.orders().obstacle(robot::Act::Arm));
     QVERIFY(harness.orders().arm());
-    if (!harness.sheet())
-        QVERIFY(harness.openSheet());
-    QTRY_VERIFY(harness.find("sheetStart")->isEnabled());
+    const bool isSheetOpen = harness.openSheet();
+    QVERIFY2(isSheetOpen, qPrintable(harness.armingText()));
     harness.click("sheetStart");
     QTRY_COMPARE(harness.server->arrived(startCommand), 1);
 }

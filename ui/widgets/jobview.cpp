@@ -123,9 +123,9 @@ void JobView::paintGutter(QWidget *gutter, const QRect &area) const
         if (isExecuting)
             painter.fillRect(line.adjusted(0, 0, digit, 0), ui::color(ui::Role::AccentGround, this));
         painter.setPen(ui::color(isExecuting ? ui::Role::Accent : ui::Role::Text2, this));
-        painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, QString::number(block.blockNumber()));
+        painter.drawText(line, Qt::AlignRight | Qt::AlignTop, QString::number(block.blockNumber()));
         if (isExecuting)
-            painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("▶"));
+            painter.drawText(line, Qt::AlignLeft | Qt::AlignTop, QStringLiteral("▶"));
     }
 }
 
