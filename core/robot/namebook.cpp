@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/namebook.h"
 
+#include "robot/controller.h"
 #include "session/filesession.h"
 #include <functional>
 
@@ -58,6 +59,17 @@ void NameBook::setRemark(const variables::Reference &variable, const QString &te
         json[toString(remark.key())] = remark.value();
     m_notes.write(remarksSubject, json);
     Q_EMIT changed();
+}
+
+void NameBook::follow(Controller &controller)
+{
+    connect(&controller, &Controller::linkStateChanged, this, [this, &controller] {
+        m_signalFetch.isUnderWay = false; // a transfer ends with its link
+        m_variableFetch.isUnderWay = false;
+        const bool isNew = controller.linkState() == LinkState::Monitoring && controller.timesLost() == 0;
+        if (isNew && controller.files())
+            fetch(*controller.files());
+    });
 }
 
 void NameBook::fetch(session::FileSession &files)

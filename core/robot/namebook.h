@@ -14,6 +14,8 @@ class FileSession;
 
 namespace robot {
 
+class Controller;
+
 /// The names of a controller's signals and variables, and the remarks that people keep about variables. The
 /// controller's own come from its files, the local ones from the settings, where every change goes at once.
 class NameBook : public QObject
@@ -39,6 +41,8 @@ public:
     /// An empty text takes the remark away.
     void setRemark(const variables::Reference &variable, const QString &text);
 
+    /// Reads the names once for each link of `controller`, as soon as it stands; `controller` must outlive the book.
+    void follow(Controller &controller);
     /// Reads IONAME.DAT and VARNAME.DAT, which a controller need not have. Nothing that was read before is lost by it.
     void fetch(session::FileSession &files);
     [[nodiscard]] const Fetch &signalFetch() const { return m_signalFetch; }
