@@ -29,11 +29,13 @@ QList<robot::TopicRange> alwaysRead()
 
 } // namespace
 
-ControllerView::ControllerView(
-    const settings::Profile &profile, Authority authority, const Actions &actions, QWidget *parent)
+ControllerView::ControllerView(const settings::Profile &profile, settings::ProfileStore &store, Authority authority,
+    const Actions &actions, QWidget *parent)
     : QWidget(parent),
       m_controller {profile},
       m_orders {m_controller, authority.access, authority.arming},
+      m_names {profile, store.notes(profile.name)},
+      m_numbering {m_orders},
       m_authority {authority},
       m_recorder {m_controller, trend::Archive::folderOf(profile.name)},
       m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
@@ -52,7 +54,8 @@ ControllerView::ControllerView(
     m_lockBar->setObjectName(QStringLiteral("lockBar"));
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
-    addPages(actions);
+    m_names.follow(m_controller);
+    addPages(store, actions);
     connect(m_bar, &widgets::MessageBar::linkActivated, this, [this, &actions] {
         if (m_barAction)
             actions.action(*m_barAction)->trigger();
@@ -89,10 +92,10 @@ QWidget *ControllerView::desk()
     return result;
 }
 
-void ControllerView::addPages(const Actions &actions)
+void ControllerView::addPages(settings::ProfileStore &store, const Actions &actions)
 {
-    const pages::Context context {
-        m_controller, m_orders, m_controller.state(), m_controller.profile(), actions, m_recorder};
+    const pages::Context context {m_controller, m_orders, m_controller.state(), m_controller.profile(), store, m_names,
+        m_numbering, actions, m_recorder};
     for (const PageRow &row : pageCatalog()) {
         pages::Page *page = row.create(context, m_stack);
         page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));

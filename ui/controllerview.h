@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/namebook.h"
+#include "robot/numbering.h"
 #include "robot/orders.h"
+#include "settings/profilestore.h"
 #include "trend/recorder.h"
 #include "ui/messages.h"
 #include <QTimer>
@@ -36,14 +39,15 @@ class ControllerView : public QWidget
     Q_OBJECT
 
 public:
-    /// `authority` and `actions` must outlive the view.
-    ControllerView(
-        const settings::Profile &profile, Authority authority, const Actions &actions, QWidget *parent = nullptr);
+    /// `store`, `authority` and `actions` must outlive the view.
+    ControllerView(const settings::Profile &profile, settings::ProfileStore &store, Authority authority,
+        const Actions &actions, QWidget *parent = nullptr);
     ~ControllerView() override;
 
     [[nodiscard]] robot::Controller &controller() { return m_controller; }
     [[nodiscard]] trend::Recorder &recorder() { return m_recorder; }
     [[nodiscard]] robot::Orders &orders() { return m_orders; }
+    [[nodiscard]] robot::NameBook &names() { return m_names; }
     [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
     /// Brings the page in view, in its own window if it has one.
     void openPage(int row);
@@ -71,7 +75,7 @@ private:
     [[nodiscard]] PageWindow *windowOf(const pages::Page *page) const;
     void takeBack(PageWindow *window);
     [[nodiscard]] QWidget *desk();
-    void addPages(const Actions &actions);
+    void addPages(settings::ProfileStore &store, const Actions &actions);
     void follow();
     void readFor(const pages::Page *page);
     void onLinkChanged();
@@ -82,6 +86,8 @@ private:
 
     robot::Controller m_controller;
     robot::Orders m_orders;
+    robot::NameBook m_names;
+    robot::NumberingGuard m_numbering;
     Authority m_authority;
     trend::Recorder m_recorder;
     NavigationRail *m_rail;

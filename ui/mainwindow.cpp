@@ -102,7 +102,7 @@ void MainWindow::offer(const settings::Profile &profile)
         controller().close();
         old->deleteLater(); // it may be one of its buttons that led here
     }
-    m_view = new ControllerView(profile, m_authority, *m_actions);
+    m_view = new ControllerView(profile, m_store, m_authority, *m_actions);
     setCentralWidget(m_view);
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);

@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pagecatalog.h"
 
+#include "ui/pages/iopage.h"
 #include "ui/pages/jobspage.h"
 #include "ui/pages/overviewpage.h"
 #include "ui/pages/positionpage.h"
+#include "ui/pages/registerspage.h"
 #include "ui/pages/trendpage.h"
+#include "ui/pages/variablespage.h"
 #include <QCoreApplication>
 
 namespace ui {
@@ -20,6 +23,9 @@ template <typename Page> pages::Page *create(const pages::Context &context, QWid
 #define TITLE(text) QT_TRANSLATE_NOOP("Pages", text)
 constexpr PageRow rows[] {
     {"overview", TITLE("Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
+    {"io", TITLE("I/O"), "io", "Ctrl+3", create<pages::IoPage>},
+    {"registers", TITLE("Registers"), "registers", "Ctrl+4", create<pages::RegistersPage>},
+    {"variables", TITLE("Variables"), "variables", "Ctrl+5", create<pages::VariablesPage>},
     {"position", TITLE("Position"), "position", "Ctrl+6", create<pages::PositionPage>},
     {"trend", TITLE("Trend"), "trend", "Ctrl+T", create<pages::TrendPage>},
     {"jobs", TITLE("Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},

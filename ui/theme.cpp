@@ -200,6 +200,11 @@ QPushButton[amber="true"] { background: %10; border-color: %11; color: %11; }
 QToolTip { background: %1; color: %8; border: 1px solid %2; padding: 3px; }
 QStatusBar { background: %9; border-top: 1px solid %2; }
 QStatusBar::item { border: none; }
+QTabBar::tab { background: transparent; border: none; border-bottom: 2px solid transparent; padding: 6px 13px; }
+QTabBar::tab:hover { color: %4; }
+QTabBar::tab:selected { color: %4; border-bottom-color: %4; font-weight: 600; }
+QTabBar::tab:focus { background: %5; }
+QTableView QTableCornerButton::section { background: transparent; border: none; }
 )")
                .arg(name(Role::Raised), name(Role::Border), name(Role::Text2), name(Role::Accent),
                    name(Role::AccentGround), name(Role::Text3), name(onAccent(scheme)), name(Role::Text1),

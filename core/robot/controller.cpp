@@ -82,6 +82,21 @@ session::LinkStatistics Controller::statistics() const
     return m_link ? m_link->session.statistics() : session::LinkStatistics {};
 }
 
+void Controller::setNumbering(protocol::Numbering numbering, const QDateTime &verified, const QString &software)
+{
+    const bool isOpen = m_linkState != LinkState::Disconnected;
+    const bool isOther = numbering != m_profile.numbering;
+    m_profile.numbering = numbering;
+    m_profile.numberingVerified = verified;
+    m_profile.numberingSoftware = software;
+    if (!isOther)
+        return;
+    close();
+    m_poller->setDialect(m_profile.dialect());
+    if (isOpen)
+        open();
+}
+
 void Controller::open()
 {
     if (m_linkState != LinkState::Disconnected)

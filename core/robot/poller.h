@@ -33,11 +33,18 @@ public:
 
     [[nodiscard]] Interest want(const QList<TopicRange> &topics);
 
+    /// Only while nothing is read.
+    void setDialect(protocol::Dialect dialect) { m_dialect = std::move(dialect); }
     /// Begins reading over `session`, which must stay until stop(). Topics that are read once are read again.
     void start(session::Session &session);
     void stop();
     /// Reads a topic that somebody wants without waiting for its slot, unless it is being read.
     void readNow(Topic topic);
+    /// Tells the state what was read in another way, such as the read back after a write.
+    template <Kind kind> void note(int number, const ValueOf<kind> &value)
+    {
+        m_state.take<kind>(number, value, std::chrono::steady_clock::now());
+    }
     /// While probing, only the status and the system information are read: enough to find out whether somebody answers.
     void setProbing(bool probing);
     /// Requests that one round of everything wanted now takes.

@@ -6,6 +6,7 @@
 #include "protocol/packet.h"
 #include "protocol/text.h"
 #include "values/position.h"
+#include <QDateTime>
 #include <QString>
 #include <array>
 #include <chrono>
@@ -22,6 +23,8 @@ struct Profile {
     protocol::Model model = protocol::Model::YRC1000;
     protocol::Encoding encoding = protocol::Encoding::Latin1; ///< Of the pendant's language.
     protocol::Numbering numbering = protocol::Numbering::FromZero; ///< Of variables (RS022).
+    QDateTime numberingVerified; ///< When it was compared with the pendant, UTC; invalid: never.
+    QString numberingSoftware; ///< The software version it was compared with.
     std::chrono::milliseconds readTimeout {300}; ///< One try of a read; 20 ms to 60 s.
     std::chrono::milliseconds fileTimeout {3000};
     std::chrono::milliseconds servoTimeout {8000};

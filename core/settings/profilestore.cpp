@@ -11,6 +11,10 @@ namespace settings {
 
 namespace {
 
+// The result of the numbering test; a profile without them was never tested.
+constexpr auto verifiedKey = "numberingVerified";
+constexpr auto softwareKey = "numberingSoftware";
+
 QString tr(const char *text) { return QCoreApplication::translate("settings::Profile", text); }
 
 QString keyOf(const QString &name)
@@ -76,6 +80,10 @@ QJsonObject toJson(const Profile &profile)
         {QStringLiteral("model"), QLatin1StringView(protocol::dialect(profile.model).key)},
         {QStringLiteral("encoding"), QLatin1StringView(protocol::encodingKey(profile.encoding))},
         {QStringLiteral("numbering"), int(profile.numbering)}};
+    if (profile.numberingVerified.isValid()) {
+        json[QLatin1StringView(verifiedKey)] = profile.numberingVerified.toUTC().toString(Qt::ISODate);
+        json[QLatin1StringView(softwareKey)] = profile.numberingSoftware;
+    }
     describe([&](const char *key, const char *, int, int,
                  const auto &value) { json[QLatin1StringView(key)] = number(value); },
         profile);
@@ -104,6 +112,9 @@ values::Result<Profile> profileFromJson(const QJsonObject &json)
     if (numbering != 0 && numbering != 1)
         return values::failure(ErrorKind::BadInput, tr("The variable numbering must be 0 or 1."));
     profile.numbering = protocol::Numbering(numbering);
+    profile.numberingVerified =
+        QDateTime::fromString(json.value(QLatin1StringView(verifiedKey)).toString(), Qt::ISODate);
+    profile.numberingSoftware = json.value(QLatin1StringView(softwareKey)).toString();
     QString trouble;
     describe(
         [&](const char *key, const char *label, int least, int most, auto &value) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "settings/notes.h"
 #include "settings/profile.h"
 #include "values/error.h"
 #include <QJsonObject>
@@ -40,6 +41,9 @@ public:
     /// Ids of the pages that had windows of their own; they come back after a restart.
     [[nodiscard]] QStringList pagesInWindows() const;
     void setPagesInWindows(const QStringList &ids);
+
+    /// What people keep about the controller of that name.
+    [[nodiscard]] Notes notes(const QString &name) const { return {m_settings, name}; }
 
 private:
     QSettings &m_settings;

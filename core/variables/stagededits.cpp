@@ -64,20 +64,27 @@ Edit *StagedEdits::writing(const Reference &variable)
     return isWriting ? &found->second : nullptr;
 }
 
-void StagedEdits::setRefused(const Reference &variable, const values::Error &error)
+void StagedEdits::setFailed(const Reference &variable, EditState state, const values::Error &error)
 {
     if (Edit *edit = writing(variable)) {
-        edit->state = EditState::Refused;
+        edit->state = state;
         edit->error = error;
     }
 }
 
+void StagedEdits::setNotSent(const Reference &variable, const values::Error &error)
+{
+    setFailed(variable, EditState::Staged, error);
+}
+
+void StagedEdits::setRefused(const Reference &variable, const values::Error &error)
+{
+    setFailed(variable, EditState::Refused, error);
+}
+
 void StagedEdits::setUnknown(const Reference &variable, const values::Error &error)
 {
-    if (Edit *edit = writing(variable)) {
-        edit->state = EditState::Unknown;
-        edit->error = error;
-    }
+    setFailed(variable, EditState::Unknown, error);
 }
 
 void StagedEdits::setReadBack(const Reference &variable, const Value &value)

@@ -11,7 +11,7 @@ namespace variables {
 enum class EditState {
     Staged, ///< Not sent yet.
     Writing, ///< Sent; neither answered nor read back.
-    Refused, ///< The controller, or this program, refused it: see Edit::error. Nothing was changed.
+    Refused, ///< The controller refused it: see Edit::error. Nothing was changed.
     Unknown, ///< Sent once and not answered, or not read back: it may or may not have happened.
     Mismatch, ///< Accepted, but another value was read back.
 };
@@ -22,7 +22,7 @@ struct Edit {
     std::optional<Value> was; ///< When it was staged, then when it was sent; nullopt if it was never read.
     Value value;
     EditState state = EditState::Staged;
-    std::optional<values::Error> error; ///< With Refused and Unknown.
+    std::optional<values::Error> error; ///< With Refused and Unknown; with Staged, why it could not be sent.
     std::optional<Value> readBack; ///< With Mismatch.
 };
 
@@ -49,6 +49,8 @@ public:
     void beginBatch() { m_isNewBatch = true; }
     /// `now` is the last value that was read: what undo goes back to.
     void setWriting(const Reference &variable, const std::optional<Value> &now);
+    /// Nothing left the computer: it is staged as before.
+    void setNotSent(const Reference &variable, const values::Error &error);
     void setRefused(const Reference &variable, const values::Error &error);
     /// The outcome of the write, or of reading it back, is not known.
     void setUnknown(const Reference &variable, const values::Error &error);
@@ -63,6 +65,7 @@ public:
 
 private:
     [[nodiscard]] Edit *writing(const Reference &variable);
+    void setFailed(const Reference &variable, EditState state, const values::Error &error);
 
     std::map<Reference, Edit> m_edits;
     QList<QList<Edit>> m_batches; ///< Verified edits, none empty; the last is undone first.

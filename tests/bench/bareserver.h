@@ -207,8 +207,19 @@ private:
         case 0x73: return 44;
         case 0x75: return 44;
         case 0x77: return 24;
+        case 0x7A: return 1;
+        case 0x7B: return 2;
+        case 0x7C:
+        case 0x7D: return 4;
+        case 0x8C: return 32;
+        case 0x7F: return 52;
         case 0x300:
         case 0x302: return int(4 + count);
+        case 0x303: return int(4 + 2 * count);
+        case 0x304:
+        case 0x305: return int(4 + 4 * count);
+        case 0x30C: return int(4 + 32 * count);
+        case 0x307: return int(4 + 52 * count);
         default: return 0;
         }
     }

@@ -89,6 +89,7 @@ QSpinBox *ProfileForm::addNumber(
 void ProfileForm::setProfile(const settings::Profile &profile)
 {
     const QScopedValueRollback filling(m_isFilling, true);
+    m_original = profile;
     m_name->setText(profile.name);
     m_host->setText(profile.host);
     m_model->setCurrentIndex(m_model->findData(int(profile.model)));
@@ -107,7 +108,7 @@ void ProfileForm::setProfile(const settings::Profile &profile)
 settings::Profile ProfileForm::profile() const
 {
     using std::chrono::milliseconds;
-    settings::Profile profile;
+    settings::Profile profile = m_original;
     profile.name = m_name->text().trimmed();
     profile.host = m_host->text().trimmed();
     profile.model = protocol::Model(m_model->currentData().toInt());
@@ -121,6 +122,8 @@ settings::Profile ProfileForm::profile() const
     profile.readRepeats = m_repeats->value();
     profile.window = m_window->value();
     profile.requestsPerSecond = m_ceiling->value();
+    if (profile.numbering != m_original.numbering || profile.host != m_original.host)
+        profile.numberingVerified = {}; // it was compared with something else
     return profile;
 }
 

@@ -45,6 +45,7 @@ private:
     QSpinBox *m_repeats;
     QSpinBox *m_window;
     QSpinBox *m_ceiling;
+    settings::Profile m_original; ///< For what the form does not show.
     bool m_isFilling = false;
 };
 

@@ -8,6 +8,15 @@
 
 class QStackedLayout;
 
+namespace robot {
+class NameBook;
+class NumberingGuard;
+}
+
+namespace settings {
+class ProfileStore;
+}
+
 namespace ui {
 class Actions;
 }
@@ -24,6 +33,9 @@ struct Context {
     robot::Orders &orders; ///< For everything that changes something, and for reads that belong to a procedure.
     const robot::RobotState &state;
     const settings::Profile &profile;
+    settings::ProfileStore &store; ///< For what people keep about the controller.
+    robot::NameBook &names; ///< Of its signals and variables.
+    robot::NumberingGuard &numbering; ///< Lets variables be written once their numbering is known.
     const ui::Actions &actions;
     trend::Recorder &recorder; ///< What is plotted and kept of this controller.
 };

@@ -26,16 +26,23 @@ Card::Card(const QString &title, QWidget *parent)
     column->addLayout(m_body, 1);
     m_body->setSpacing(6);
     m_reason->hide();
+    m_title->setVisible(!title.isEmpty());
+    m_note->hide();
     setAccessibleName(title);
 }
 
 void Card::setTitle(const QString &title)
 {
     m_title->setText(title);
+    m_title->setVisible(!title.isEmpty());
     setAccessibleName(title);
 }
 
-void Card::setNote(const QString &note) { m_note->setText(note); }
+void Card::setNote(const QString &note)
+{
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
+}
 
 void Card::setReason(const QString &reason)
 {

@@ -34,7 +34,6 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
     m_why->setObjectName(QLatin1String("why-") + name);
     m_why->setAutoDefault(false);
     m_why->setProperty("link", true);
-    m_why->setVisible(!orders.findings(act).isEmpty());
     m_reason->setObjectName(QLatin1String("reason-") + name);
     m_reason->setFont(ui::font(ui::Type::Label));
     auto *row = new QHBoxLayout;
@@ -47,6 +46,7 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
     column->setSpacing(2);
     column->addLayout(row);
     column->addWidget(m_reason);
+    m_why->setVisible(!orders.findings(act).isEmpty()); // not before it has a parent: it would be a window
     m_patience.setSingleShot(true);
     connect(m_button, &QPushButton::clicked, this, &OrderButton::clicked);
     connect(m_why, &QPushButton::clicked, this, &OrderButton::openConditions);

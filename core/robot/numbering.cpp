@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "robot/numbering.h"
+
+namespace robot {
+
+using values::ByteVariable;
+
+namespace {
+
+bool fits(const QList<PendantValue> &pendant, const QList<ByteVariable> &instances, int firstInstance, int shift)
+{
+    return std::ranges::all_of(pendant, [&](const PendantValue &seen) {
+        const qsizetype index = seen.number + shift - firstInstance;
+        return index >= 0 && index < instances.size() && instances[index].value == seen.value;
+    });
+}
+
+} // namespace
+
+NumberingVerdict judgeNumbering(
+    const QList<PendantValue> &pendant, const QList<ByteVariable> &instances, int firstInstance)
+{
+    const bool fromZero = fits(pendant, instances, firstInstance, 0);
+    const bool fromOne = fits(pendant, instances, firstInstance, 1);
+    if (fromZero && fromOne)
+        return NumberingVerdict::Ambiguous;
+    return fromZero ? NumberingVerdict::FromZero : fromOne ? NumberingVerdict::FromOne : NumberingVerdict::Neither;
+}
+
+QList<int> tellingNumbers(const QList<ByteVariable> &instances, int firstInstance, int most)
+{
+    QList<int> numbers;
+    for (qsizetype i = 0; i + 1 < instances.size() && numbers.size() < most; ++i) {
+        if (instances[i] != instances[i + 1])
+            numbers << firstInstance + int(i);
+    }
+    return numbers;
+}
+
+NumberingGuard::NumberingGuard(Orders &orders, QObject *parent) : QObject {parent}, m_orders {orders}
+{
+    connect(&orders.controller().state(), &RobotState::changed, this, [this](const TopicRange &range) {
+        if (range.contains(topics::systemInformation))
+            update();
+    });
+    update();
+}
+
+void NumberingGuard::update()
+{
+    const settings::Profile &profile = m_orders.controller().profile();
+    const auto &system = m_orders.controller().state().systemInformation();
+    const bool isSame = system.value && QString::fromLatin1(system.value->software.bytes()) == profile.numberingSoftware
+        && profile.numberingVerified.isValid();
+    m_orders.setNumberingVerified(profile.isSimulation || isSame);
+}
+
+} // namespace robot

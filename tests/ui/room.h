@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "ui/harness.h"
+#include "ui/pages/page.h"
+#include <QDialog>
+#include <QDir>
+#include <QPushButton>
+
+/// The window on one of its pages, used as a person does.
+struct Room {
+    explicit Room(const char *pageId) : id {pageId}
+    {
+        harness.window.resize(1440, 900);
+        QDir().mkpath(QStringLiteral(PENDESK_PICTURES));
+    }
+    virtual ~Room() = default;
+
+    /// Connected as an engineer; a real controller unless it is a simulation.
+    [[nodiscard]] bool open(bool isSimulation = true)
+    {
+        if (!harness.startController())
+            return false;
+        settings::Profile profile = harness.profile();
+        profile.isSimulation = isSimulation;
+        return open(profile);
+    }
+    [[nodiscard]] bool open(settings::Profile profile)
+    {
+        profile.readTimeout = std::chrono::milliseconds {1000}; // the computer may be busy
+        harness.window.show();
+        harness.window.activateWindow();
+        harness.window.connectTo(profile);
+        harness.access.enter(robot::Level::Engineer);
+        page = harness.window.view().findChild<pages::Page *>(QLatin1String(id) + QStringLiteral("Page"));
+        harness.window.view().openPage(int(harness.window.view().pages().indexOf(page)));
+        if (!page || !QTest::qWaitForWindowExposed(&harness.window))
+            return false;
+        return QTest::qWaitFor(
+            [this] { return harness.window.controller().linkState() == robot::LinkState::Monitoring && isLive(); });
+    }
+
+    /// What the page shows first was read.
+    [[nodiscard]] virtual bool isLive() const { return true; }
+
+    template <typename Widget> [[nodiscard]] Widget *find(const char *name) const
+    {
+        return page->findChild<Widget *>(QLatin1String(name));
+    }
+    [[nodiscard]] QDialog *dialog(const char *name) const
+    {
+        for (auto *one : harness.window.findChildren<QDialog *>(QLatin1String(name))) {
+            if (one->isVisible())
+                return one;
+        }
+        return nullptr;
+    }
+    void click(const char *name) const { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
+    void picture(const QString &name)
+    {
+        for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
+            ui::apply(*qApp, scheme);
+            QCoreApplication::sendPostedEvents();
+            const QString mode = scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
+            QVERIFY(harness.window.grab().save(
+                QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, mode)));
+        }
+        ui::apply(*qApp, ui::Scheme::Light);
+    }
+    [[nodiscard]] virtualcontroller::Memory &memory() const { return harness.server->memory(); }
+
+    const char *id;
+    Harness harness;
+    pages::Page *page = nullptr;
+};

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "robot/edits.h"
+#include <QDialog>
+
+namespace dialogs {
+
+/// What Apply would write, old and new, before anything leaves the computer.
+class ApplyDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// `edits` must outlive the dialog.
+    ApplyDialog(robot::Edits &edits, const QString &controller, const variables::Format &format, QWidget *parent);
+};
+
+} // namespace dialogs

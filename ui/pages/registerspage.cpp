@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pages/registerspage.h"
+
+#include "ui/widgets/card.h"
+#include <QComboBox>
+
+namespace pages {
+
+using variables::Base;
+using variables::Kind;
+
+variables::Format formatOf(const settings::Profile &profile)
+{
+    return {QLocale(), protocol::TextCodec {profile.encoding}, profile.dialect().stringSize, Base::Decimal};
+}
+
+QList<variables::Reference> allOf(Kind kind, const protocol::Dialect &dialect)
+{
+    QList<variables::Reference> result;
+    for (int number = 0; number < countOf(kind, dialect); ++number)
+        result << variables::Reference {kind, number};
+    return result;
+}
+
+QWidget *sheetCard(QWidget *content)
+{
+    auto *card = new widgets::Card({});
+    card->body()->addWidget(content);
+    auto *result = new QWidget;
+    auto *column = new QVBoxLayout(result);
+    column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    column->addWidget(card);
+    return result;
+}
+
+RegistersPage::RegistersPage(const Context &context, QWidget *parent)
+    : Page(context, parent),
+      m_format {formatOf(context.profile)},
+      m_history {context.state},
+      m_edits {context.orders, m_format},
+      m_desk {context.state, m_history, m_edits, context.names, m_format, context.profile.dialect()},
+      m_model {new models::VariableModel(m_desk, allOf(Kind::M, m_desk.dialect), this)},
+      m_sheet {new VariableSheet(context, m_desk, robot::Act::WriteRegister)}
+{
+    auto *base = new QComboBox;
+    base->setObjectName(QStringLiteral("base"));
+    base->setAccessibleName(tr("How registers are written"));
+    base->addItems({tr("Decimal"), tr("Signed"), tr("Hexadecimal"), tr("Binary")}); // in the order of Base
+    m_sheet->head()->insertWidget(0, base);
+    m_sheet->head()->insertStretch(1);
+    m_sheet->setNote(tr("M000 to M559 can be written; the others belong to the ladder."));
+    m_sheet->show(m_model);
+    setContent(sheetCard(m_sheet));
+    connect(base, &QComboBox::currentIndexChanged, this, [this](int row) { choose(Base(row)); });
+    connect(m_sheet, &VariableSheet::topicsChanged, this, &Page::topicsChanged);
+}
+
+void RegistersPage::choose(Base base)
+{
+    m_format.registerBase = base;
+    m_model->formatChanged();
+}
+
+QList<robot::TopicRange> RegistersPage::topics() const { return m_sheet->topics(); }
+
+} // namespace pages

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pages/variablesheet.h"
+
+#include "ui/dialogs/applydialog.h"
+#include "ui/dialogs/importdialog.h"
+#include "ui/dialogs/positiondialog.h"
+#include "ui/widgets/celleditor.h"
+#include "ui/widgets/orderbutton.h"
+#include "ui/widgets/shown.h"
+#include "ui/widgets/text.h"
+#include <QAction>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QVBoxLayout>
+
+namespace pages {
+
+using models::VariableModel;
+using variables::Reference;
+
+namespace {
+
+QPushButton *button(const char *name, const QString &words)
+{
+    auto *result = new QPushButton(words);
+    result->setObjectName(QLatin1String(name));
+    result->setAutoDefault(false);
+    return result;
+}
+
+} // namespace
+
+VariableSheet::VariableSheet(const Context &context, const models::VariableDesk &desk, robot::Act act, QWidget *parent)
+    : QWidget(parent),
+      m_desk {desk},
+      m_orders {context.orders},
+      m_table {new widgets::Table},
+      m_head {new QHBoxLayout},
+      m_foot {new QHBoxLayout},
+      m_goTo {new QLineEdit},
+      m_sentence {widgets::text({}, ui::Type::Body, ui::Role::Amber)},
+      m_note {widgets::sentence({}, ui::Role::Text2)},
+      m_apply {new widgets::OrderButton(context.orders, act, widgets::OrderButton::Reason::Below)},
+      m_discard {button("discardButton", tr("Discard"))},
+      m_undo {button("undoButton", tr("Undo last"))}
+{
+    const auto check = [this](
+                           const QModelIndex &index, const QString &typed) { return m_model->complaint(index, typed); };
+    m_table->setObjectName(QStringLiteral("variableTable"));
+    m_table->setItemDelegate(new widgets::ValueDelegate({VariableModel::Value, VariableModel::Note},
+        {VariableModel::LiveTextRole, VariableModel::RangeTextRole}, check, this));
+    m_table->setEditingHeight(VariableModel::Value, widgets::ValueDelegate::editingHeight);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setEditTriggers(
+        QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
+    m_table->verticalHeader()->hide();
+    m_table->installEventFilter(this);
+    m_sentence->setObjectName(QStringLiteral("sentence"));
+    m_note->setObjectName(QStringLiteral("note"));
+    makeHead();
+    makeFoot(context, act);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(ui::space::gap);
+    column->addLayout(m_head);
+    column->addWidget(m_table, 1);
+    column->addLayout(m_foot);
+    connect(m_table, &widgets::Table::rowsInViewChanged, this, &VariableSheet::topicsChanged);
+    connect(m_table, &QTableView::doubleClicked, this, &VariableSheet::openEditor);
+    connect(&m_desk.edits, &robot::Edits::changed, this, &VariableSheet::showEdits);
+    showEdits();
+}
+
+void VariableSheet::makeHead()
+{
+    m_goTo->setObjectName(QStringLiteral("goTo"));
+    m_goTo->setAccessibleName(tr("Go to"));
+    m_goTo->setPlaceholderText(tr("Go to…  Ctrl+G"));
+    m_goTo->setMaximumWidth(180);
+    m_head->addWidget(m_sentence);
+    m_head->addWidget(m_goTo);
+    connect(m_goTo, &QLineEdit::returnPressed, this, &VariableSheet::goTo);
+    auto *action = new QAction(this);
+    action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
+    addAction(action);
+    connect(action, &QAction::triggered, this, [this] {
+        m_goTo->setFocus(Qt::ShortcutFocusReason);
+        m_goTo->selectAll();
+    });
+}
+
+void VariableSheet::makeFoot(const Context &, robot::Act)
+{
+    auto *importButton = button("importButton", tr("Import…"));
+    auto *exportButton = button("exportButton", tr("Export…"));
+    m_apply->button()->setProperty("primary", true);
+    m_foot->setSpacing(10);
+    for (QWidget *widget :
+        {static_cast<QWidget *>(m_apply), static_cast<QWidget *>(m_discard), static_cast<QWidget *>(m_undo)})
+        m_foot->addWidget(widget, 0, Qt::AlignTop);
+    m_foot->addWidget(m_note, 1);
+    m_foot->addWidget(importButton, 0, Qt::AlignTop);
+    m_foot->addWidget(exportButton, 0, Qt::AlignTop);
+    connect(m_apply, &widgets::OrderButton::clicked, this, &VariableSheet::openApply);
+    connect(m_discard, &QPushButton::clicked, this, &VariableSheet::discard);
+    connect(m_undo, &QPushButton::clicked, &m_desk.edits, &robot::Edits::undo);
+    connect(importButton, &QPushButton::clicked, this, &VariableSheet::importFile);
+    connect(exportButton, &QPushButton::clicked, this, &VariableSheet::exportFile);
+}
+
+void VariableSheet::show(VariableModel *model)
+{
+    m_model = model;
+    m_table->setModel(model);
+    auto *head = m_table->horizontalHeader();
+    const int widths[] {80, 230, model->rowCount() > 0 && isPosition(model->at(0).kind) ? 420 : 200, 130, 90};
+    for (int column = 0; column < int(std::size(widths)); ++column)
+        head->resizeSection(column, widths[column]);
+    head->setStretchLastSection(true);
+    if (model->rowCount() > 0)
+        m_table->setCurrentIndex(model->index(0, VariableModel::Value));
+    Q_EMIT topicsChanged();
+}
+
+QList<robot::TopicRange> VariableSheet::topics() const
+{
+    QList<robot::TopicRange> result;
+    if (!m_model)
+        return result;
+    const auto rows = m_table->rowsInView();
+    for (int row = rows.first; row <= std::min(rows.last, m_model->rowCount() - 1); ++row)
+        result << robot::TopicRange {robot::topicOf(m_model->at(row))};
+    return result;
+}
+
+bool VariableSheet::select(const Reference &variable)
+{
+    const int row = m_model->rowOf(variable);
+    if (row < 0)
+        return false;
+    const QModelIndex index = m_model->index(row, VariableModel::Value);
+    m_table->setCurrentIndex(index);
+    m_table->scrollTo(index, QAbstractItemView::PositionAtCenter);
+    m_table->setFocus();
+    return true;
+}
+
+/// A reference, or the words of a name.
+void VariableSheet::goTo()
+{
+    auto variable = variables::referenceFromText(m_goTo->text(), m_desk.dialect);
+    if (!variable) {
+        const auto found = m_desk.book.names().findVariables(m_goTo->text(), 1);
+        if (found.isEmpty() || m_goTo->text().trimmed().isEmpty())
+            return say(variable.error().detail);
+        variable = found.first();
+    }
+    say({});
+    if (!select(*variable))
+        Q_EMIT wanted(*variable);
+}
+
+void VariableSheet::say(const QString &sentence, bool isTrouble)
+{
+    m_sentence->setText(sentence);
+    widgets::setTextRole(m_sentence, isTrouble ? ui::Role::Amber : ui::Role::Text2);
+}
+
+void VariableSheet::setNote(const QString &note) { m_note->setText(note); }
+
+bool VariableSheet::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched != m_table || event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(watched, event);
+    const auto *key = static_cast<QKeyEvent *>(event);
+    if (key->matches(QKeySequence::Copy))
+        return copy(), true;
+    if (key->matches(QKeySequence::Paste))
+        return paste(), true;
+    if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)
+        return openEditor(m_table->currentIndex().siblingAtColumn(VariableModel::Value)), true;
+    if (key->key() == Qt::Key_Delete && m_table->currentIndex().isValid())
+        return m_desk.edits.discard(m_model->at(m_table->currentIndex().row())), true;
+    return QWidget::eventFilter(watched, event);
+}
+
+void VariableSheet::openEditor(const QModelIndex &index)
+{
+    if (!index.isValid() || index.column() != VariableModel::Value)
+        return;
+    const Reference variable = m_model->at(index.row());
+    if (!m_model->isWritable(index.row()))
+        return say(tr("%1 can only be read over HSES.").arg(toString(variable)));
+    if (isPosition(variable.kind))
+        return editPosition(variable);
+    m_table->setCurrentIndex(index);
+    m_table->edit(index);
+}
+
+void VariableSheet::editPosition(const Reference &variable)
+{
+    const auto *edit = m_desk.edits.staged().find(variable);
+    const auto value = edit ? std::optional {edit->value} : now(variable);
+    auto *dialog = new dialogs::PositionDialog(m_orders, variable, value, m_desk.format, this);
+    const auto showLive = [this, dialog, variable] {
+        const auto live = now(variable);
+        dialog->showLive(live ? toText(*live, m_desk.format) : widgets::dash());
+    };
+    connect(&m_desk.history, &robot::VariableHistory::changed, dialog, showLive);
+    connect(dialog, &dialogs::PositionDialog::valueAccepted, this,
+        [this, variable](const variables::Value &typed) { m_desk.edits.stage(variable, typed); });
+    showLive();
+    dialog->show();
+}
+
+std::optional<variables::Value> VariableSheet::now(const Reference &variable) const
+{
+    return readingOf(m_desk.state, variable).value;
+}
+
+QString VariableSheet::controllerName() const { return m_orders.controller().profile().name; }
+
+void VariableSheet::showEdits()
+{
+    const int count = int(m_desk.edits.staged().toApply().size());
+    const bool isApplying = m_desk.edits.isApplying();
+    m_apply->setText(isApplying ? tr("Writing…") : tr("Apply %n…", nullptr, count));
+    m_apply->setComplaint(isApplying ? tr("The values are being written.")
+            : count == 0             ? tr("Nothing is staged: press Enter in a value.")
+                                     : QString());
+    m_discard->setEnabled(count > 0 && !isApplying);
+    m_undo->setEnabled(!m_desk.edits.staged().undoable().isEmpty() && !isApplying);
+    m_discard->setToolTip(m_discard->isEnabled() ? QString() : tr("Nothing is staged."));
+    m_undo->setToolTip(m_undo->isEnabled() ? tr("Stages the values that stood there before.")
+                                           : tr("Nothing was written that could be undone."));
+}
+
+void VariableSheet::openApply()
+{
+    (new dialogs::ApplyDialog(m_desk.edits, controllerName(), m_desk.format, this))->show();
+}
+
+void VariableSheet::discard() { m_desk.edits.clear(); }
+
+void VariableSheet::copy() const
+{
+    QString text;
+    for (const QModelIndex &row : m_table->selectionModel()->selectedRows()) {
+        const Reference variable = m_model->at(row.row());
+        const auto value = now(variable);
+        text += variables::csvLine({toString(variable), value ? toText(*value, m_desk.format) : QString()}, u'\t');
+    }
+    QGuiApplication::clipboard()->setText(text);
+}
+
+void VariableSheet::paste()
+{
+    const QModelIndex current = m_table->currentIndex();
+    if (!current.isValid())
+        return;
+    preview(variables::previewBlock(QGuiApplication::clipboard()->text(), m_model->at(current.row()), m_desk.format,
+        m_desk.dialect, [this](const Reference &variable) { return now(variable); }));
+}
+
+void VariableSheet::importFile()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Import values"), {}, tr("CSV files (*.csv)"));
+    if (path.isEmpty())
+        return;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return say(tr("%1 cannot be read: %2.").arg(path, file.errorString()));
+    const auto text = variables::textOfFile(file.readAll());
+    if (!text)
+        return say(text.error().detail);
+    const auto table = variables::readTable(*text);
+    if (!table)
+        return say(table.error().detail);
+    preview(variables::preview(
+        *table, m_desk.format, m_desk.dialect, [this](const Reference &variable) { return now(variable); }));
+}
+
+void VariableSheet::preview(const variables::Preview &preview)
+{
+    auto *dialog = new dialogs::ImportDialog(preview, controllerName(), m_desk.format, this);
+    connect(dialog, &dialogs::ImportDialog::differencesAccepted, this,
+        [this](const QList<variables::Difference> &differences) { m_desk.edits.stage(differences); });
+    dialog->show();
+}
+
+/// What was read; a variable that was not read has an empty cell.
+void VariableSheet::exportFile()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export values"), {}, tr("CSV files (*.csv)"));
+    if (path.isEmpty())
+        return;
+    QList<variables::ExportRow> rows;
+    for (const Reference &variable : m_model->variables())
+        rows << variables::ExportRow {variable, m_desk.book.names().of(variable).text, now(variable)};
+    QSaveFile file(path);
+    const bool isWritten = file.open(QIODevice::WriteOnly)
+        && file.write("\xEF\xBB\xBF" + toCsv(rows, m_desk.format).toUtf8()) > 0 && file.commit();
+    say(isWritten ? tr("%1 was written.").arg(path) : tr("%1 cannot be written: %2.").arg(path, file.errorString()),
+        !isWritten);
+}
+
+} // namespace pages

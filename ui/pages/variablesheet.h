@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "ui/models/variablemodel.h"
+#include "ui/pages/page.h"
+#include "ui/widgets/table.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QHBoxLayout;
+
+namespace widgets {
+class OrderButton;
+}
+
+namespace dialogs {
+class PositionDialog;
+}
+
+namespace pages {
+
+/// A table of variables or registers with everything that is done to them: go to, edit, stage, apply, undo, paste, CSV.
+/// The variables and the registers page are made of it.
+class VariableSheet : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `act` is what Apply does. All of it must outlive the sheet.
+    VariableSheet(const Context &context, const models::VariableDesk &desk, robot::Act act, QWidget *parent = nullptr);
+
+    void show(models::VariableModel *model);
+    using QWidget::show;
+    [[nodiscard]] models::VariableModel *model() const { return m_model; }
+    [[nodiscard]] widgets::Table *table() const { return m_table; }
+    /// The rows that can be seen, as the poller wants them.
+    [[nodiscard]] QList<robot::TopicRange> topics() const;
+    /// Makes the row current; false if it is not in this table.
+    bool select(const variables::Reference &variable);
+    /// A sentence beside the buttons, such as that about the numbering.
+    void setNote(const QString &note);
+    /// At the left and at the right end of the line above the table.
+    [[nodiscard]] QHBoxLayout *head() const { return m_head; }
+    [[nodiscard]] QHBoxLayout *foot() const { return m_foot; }
+
+Q_SIGNALS:
+    void topicsChanged();
+    /// A variable of another table was asked for.
+    void wanted(const variables::Reference &variable);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void makeHead();
+    void makeFoot(const Context &context, robot::Act act);
+    void goTo();
+    void say(const QString &sentence, bool isTrouble = true);
+    void openEditor(const QModelIndex &index);
+    void editPosition(const variables::Reference &variable);
+    void showEdits();
+    void openApply();
+    void discard();
+    void copy() const;
+    void paste();
+    void importFile();
+    void exportFile();
+    void preview(const variables::Preview &preview);
+    [[nodiscard]] std::optional<variables::Value> now(const variables::Reference &variable) const;
+    [[nodiscard]] QString controllerName() const;
+
+    models::VariableDesk m_desk;
+    robot::Orders &m_orders;
+    models::VariableModel *m_model = nullptr;
+    widgets::Table *m_table;
+    QHBoxLayout *m_head;
+    QHBoxLayout *m_foot;
+    QLineEdit *m_goTo;
+    QLabel *m_sentence;
+    QLabel *m_note;
+    widgets::OrderButton *m_apply;
+    QPushButton *m_discard;
+    QPushButton *m_undo;
+};
+
+} // namespace pages
