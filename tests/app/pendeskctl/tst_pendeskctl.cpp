@@ -102,7 +102,7 @@ void TestPendeskctl::ends_data()
     row("registers get 0..99", 0);
     row("registers get 0..1000", 2);
     row("registers set 600 1 --yes", 2);
-    row("var get B005 S003 P000..P010", 0);
+    row("var get B005 S003 P000..P001", 0);
     row("var get X005", 2);
     row("var set B005 77 --yes", 2);
     row("var set B005 256 --yes --numbering 0", 2);
@@ -131,7 +131,7 @@ void TestPendeskctl::ends()
     QVERIFY(terminal.isStarted);
     const Ended ended = terminal.run(line);
     QVERIFY2(ended.code == code, ended.out + ended.err);
-    QCOMPARE(ended.err.isEmpty(), code == 0 && line != u"alarms" && !line.startsWith(u"alarms"));
+    QCOMPARE(ended.err.isEmpty(), code == 0 && line != u"alarms");
 }
 
 void TestPendeskctl::hasNoDangerousVerb()
