@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pagecatalog.h"
 
+#include "ui/pages/backuppage.h"
+#include "ui/pages/filespage.h"
 #include "ui/pages/iopage.h"
 #include "ui/pages/jobspage.h"
 #include "ui/pages/overviewpage.h"
@@ -29,6 +31,8 @@ constexpr PageRow rows[] {
     {"position", TITLE("Position"), "position", "Ctrl+6", create<pages::PositionPage>},
     {"trend", TITLE("Trend"), "trend", "Ctrl+T", create<pages::TrendPage>},
     {"jobs", TITLE("Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},
+    {"files", TITLE("Files"), "files", "Ctrl+8", create<pages::FilesPage>},
+    {"backup", TITLE("Backup"), "backup", "Ctrl+9", create<pages::BackupPage>},
 };
 #undef TITLE
 

@@ -3,8 +3,11 @@
 #include "decode.h"
 #include "options.h"
 #include "status.h"
+#include "verbs.h"
 #include <QCoreApplication>
 #include <array>
+#include <csignal>
+#include <unistd.h>
 
 using namespace pendeskctl;
 
@@ -18,6 +21,19 @@ struct Verb {
 
 constexpr std::array verbs {
     Verb {"status", QT_TRANSLATE_NOOP("pendeskctl", "read status, job, position and system information"), runStatus},
+    Verb {"info", QT_TRANSLATE_NOOP("pendeskctl", "read model, system software and parameter version"), runInfo},
+    Verb {"alarms", QT_TRANSLATE_NOOP("pendeskctl", "read the active alarms, or a list of the history"), runAlarms},
+    Verb {"position", QT_TRANSLATE_NOOP("pendeskctl", "read where the robot stands"), runPosition},
+    Verb {"jobs", QT_TRANSLATE_NOOP("pendeskctl", "list the jobs"), runJobs},
+    Verb {"io", QT_TRANSLATE_NOOP("pendeskctl", "read I/O, write a network input"), runIo},
+    Verb {"registers", QT_TRANSLATE_NOOP("pendeskctl", "read and write registers"), runRegisters},
+    Verb {"var", QT_TRANSLATE_NOOP("pendeskctl", "read and write variables"), runVar},
+    Verb {"files", QT_TRANSLATE_NOOP("pendeskctl", "list, read, send and delete files"), runFiles},
+    Verb {"backup", QT_TRANSLATE_NOOP("pendeskctl", "read all files of a controller into a new backup"), runBackup},
+    Verb {"verify", QT_TRANSLATE_NOOP("pendeskctl", "tell whether a backup is what was written"), runVerify},
+    Verb {"compare", QT_TRANSLATE_NOOP("pendeskctl", "compare two backups, or one with the controller"), runCompare},
+    Verb {"restore", QT_TRANSLATE_NOOP("pendeskctl", "send back what differs from a backup"), runRestore},
+    Verb {"watch", QT_TRANSLATE_NOOP("pendeskctl", "read values again and again"), runWatch},
     Verb {"decode", QT_TRANSLATE_NOOP("pendeskctl", "take packets given in hex apart"), runDecode},
 };
 
@@ -31,11 +47,15 @@ QString usage()
     return text + QCoreApplication::translate("pendeskctl", "pendeskctl VERB --help tells more.");
 }
 
+/// Backups get their name last and files are replaced at once, so it does no harm to stop anywhere.
+void onInterrupt(int) { ::_exit(Interrupted); }
+
 } // namespace
 
 int main(int argc, char *argv[])
 {
     const QCoreApplication application {argc, argv};
+    std::signal(SIGINT, onInterrupt);
     QCoreApplication::setApplicationName(QStringLiteral("pendesk"));
     QCoreApplication::setOrganizationName(QStringLiteral("pendesk"));
     QCoreApplication::setApplicationVersion(QStringLiteral(PENDESK_VERSION));

@@ -3,8 +3,14 @@
 #include "options.h"
 
 #include "settings/commandline.h"
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QSettings>
 #include <cstdio>
+#ifdef Q_OS_UNIX
+#include <unistd.h>
+#endif
 
 using values::Error;
 using values::ErrorKind;
@@ -14,15 +20,53 @@ namespace pendeskctl {
 
 namespace {
 
-QString tr(const char *text) { return QCoreApplication::translate("pendeskctl", text); }
+bool isTerminal()
+{
+#ifdef Q_OS_UNIX
+    return ::isatty(STDERR_FILENO) == 1;
+#else
+    return false;
+#endif
+}
+
+void addCommonOptions(QCommandLineParser &parser, bool needsController)
+{
+    if (needsController) {
+        settings::addConnectionOptions(parser);
+        parser.addOption({QStringLiteral("numbering"),
+            tr("Instance of the first variable on this controller, 0 or 1 (parameter RS022)."), QStringLiteral("0|1")});
+    }
+    parser.addOption({QStringLiteral("json"), tr("Print JSON.")});
+    parser.addOption({QStringLiteral("yes"), tr("Yes, write: what changes something does nothing without it.")});
+    parser.addOption({QStringLiteral("quiet"), tr("No progress and no remarks.")});
+}
+
+Result<void> readController(Call &call, const QCommandLineParser &parser)
+{
+    const auto profile = profileOf(parser);
+    if (!profile)
+        return tl::unexpected(profile.error());
+    call.profile = *profile;
+    call.hasNumbering = parser.isSet(QStringLiteral("numbering"));
+    if (!call.hasNumbering)
+        return {};
+    const QString numbering = parser.value(QStringLiteral("numbering"));
+    if (numbering != u"0" && numbering != u"1")
+        return values::failure(ErrorKind::BadInput, tr("--numbering takes 0 or 1."));
+    call.profile.numbering = protocol::Numbering(numbering.toInt());
+    return {};
+}
 
 } // namespace
+
+QString tr(const char *text) { return QCoreApplication::translate("pendeskctl", text); }
 
 ExitCode exitCodeOf(const Error &error)
 {
     switch (error.kind) {
     case ErrorKind::Refused: return Refused;
     case ErrorKind::BadInput: return Usage;
+    case ErrorKind::NotSent: return Refused;
     case ErrorKind::LocalFile: return LocalFile;
     default: return NoAnswer;
     }
@@ -55,8 +99,55 @@ std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arg
     return std::nullopt;
 }
 
+std::optional<ExitCode> read(Call &call, QCommandLineParser &parser, const VerbHelp &help, const QStringList &arguments)
+{
+    parser.setApplicationDescription(help.description);
+    parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
+    if (!help.words.isEmpty())
+        parser.addPositionalArgument(QStringLiteral("words"), {}, help.words);
+    addCommonOptions(parser, help.needsController);
+    parser.addOptions(help.options);
+    if (const auto end = parse(parser, arguments))
+        return end;
+    call.words = parser.positionalArguments();
+    call.isJson = parser.isSet(QStringLiteral("json"));
+    call.isQuiet = parser.isSet(QStringLiteral("quiet"));
+    call.mayWrite = parser.isSet(QStringLiteral("yes"));
+    const auto controller = help.needsController ? readController(call, parser) : Result<void> {};
+    if (controller)
+        return std::nullopt;
+    complain(controller.error().detail);
+    return Usage;
+}
+
+std::optional<ExitCode> requireYes(const Call &call)
+{
+    if (call.mayWrite)
+        return std::nullopt;
+    complain(tr("This changes something at the controller or on this computer. Add --yes to do it."));
+    return Usage;
+}
+
 void complain(const QString &sentence) { std::fprintf(stderr, "pendeskctl: %s\n", qUtf8Printable(sentence)); }
 
-void print(const QString &line) { std::fprintf(stdout, "%s\n", qUtf8Printable(line)); }
+void print(const QString &line)
+{
+    std::fprintf(stdout, "%s\n", qUtf8Printable(line));
+    std::fflush(stdout);
+}
+
+void print(const QJsonValue &json)
+{
+    const QJsonDocument document = json.isArray() ? QJsonDocument {json.toArray()} : QJsonDocument {json.toObject()};
+    print(QString::fromUtf8(document.toJson(QJsonDocument::Compact)));
+}
+
+void showProgress(const Call &call, const QString &line)
+{
+    if (call.isQuiet || !isTerminal())
+        return;
+    std::fprintf(stderr, "\r\x1b[K%s", qUtf8Printable(line));
+    std::fflush(stderr);
+}
 
 } // namespace pendeskctl

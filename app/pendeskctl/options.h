@@ -5,11 +5,22 @@
 #include "settings/profile.h"
 #include "values/error.h"
 #include <QCommandLineParser>
+#include <QJsonValue>
 
 namespace pendeskctl {
 
 /// Exit codes of every verb.
-enum ExitCode { Done = 0, Differences = 1, Usage = 2, NoAnswer = 3, Refused = 4, LocalFile = 5 };
+enum ExitCode {
+    Done = 0,
+    Differences = 1,
+    Usage = 2,
+    NoAnswer = 3, ///< Or the outcome is unknown.
+    Refused = 4,
+    LocalFile = 5,
+    VerificationFailed = 6,
+    Partial = 7,
+    Interrupted = 130,
+};
 
 /// The exit code that tells a script what kind of error it was.
 [[nodiscard]] ExitCode exitCodeOf(const values::Error &error);
@@ -21,9 +32,39 @@ enum ExitCode { Done = 0, Differences = 1, Usage = 2, NoAnswer = 3, Refused = 4,
 /// Prints the help and ends with `Done` when asked for it. nullopt means: go on.
 [[nodiscard]] std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments);
 
+/// What a verb is told.
+struct Call {
+    settings::Profile profile;
+    QStringList words; ///< Behind the verb.
+    bool isJson = false;
+    bool isQuiet = false;
+    bool mayWrite = false; ///< --yes
+    bool hasNumbering = false; ///< --numbering; it is in the profile.
+};
+
+/// What a verb can be told.
+struct VerbHelp {
+    QString description;
+    QString words; ///< Such as "get|set NAME".
+    QList<QCommandLineOption> options = {};
+    bool needsController = true;
+};
+
+/// Reads a call. Ends with an exit code where the program ends here: a mistake, or help was asked for.
+[[nodiscard]] std::optional<ExitCode> read(
+    Call &call, QCommandLineParser &parser, const VerbHelp &help, const QStringList &arguments);
+/// Complains and returns Usage unless --yes was given.
+[[nodiscard]] std::optional<ExitCode> requireYes(const Call &call);
+
+[[nodiscard]] QString tr(const char *text);
+
 /// Prints "pendeskctl: `sentence`" on the error stream.
 void complain(const QString &sentence);
 /// Prints a line on the output stream.
 void print(const QString &line);
+/// Prints an object or array on the output stream.
+void print(const QJsonValue &json);
+/// Shows how far it has come in one line of the error stream, if that is a terminal. Empty takes the line away.
+void showProgress(const Call &call, const QString &line);
 
 } // namespace pendeskctl

@@ -56,8 +56,7 @@ int runStatus(const QStringList &arguments)
     }
 
     Controller controller {*profile};
-    const auto interest = controller.poller().want(
-        {topics::overview.begin(), topics::overview.end()});
+    const auto interest = controller.poller().want({topics::overview.begin(), topics::overview.end()});
     QObject::connect(&controller.state(), &RobotState::changed, &controller, [&] {
         if (controller.linkState() == LinkState::Monitoring && isComplete(controller.state()))
             QCoreApplication::exit(Done);

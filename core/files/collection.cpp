@@ -18,8 +18,15 @@ constexpr int maxSilences = 5; ///< After that nobody is there any more.
 QByteArrayList Collection::allPatterns() { return {"*.JBI", "*.DAT", "*.CND", "*.PRM", "*.SYS", "*.LST"}; }
 
 Collection::Collection(session::FileSession &session, Sink sink, QObject *parent)
-    : Operation {parent}, m_session {session}, m_sink {std::move(sink)}
+    : Operation {parent}, m_sink {std::move(sink)}
 {
+    use(session);
+}
+
+void Collection::interrupt()
+{
+    if (session())
+        session()->cancel(m_transfer);
 }
 
 void Collection::run()
@@ -61,7 +68,7 @@ void Collection::listNext()
 
 void Collection::list(const QByteArray &pattern)
 {
-    m_transfer = m_session.list(
+    m_transfer = session()->list(
         pattern, this, [this, pattern](const Result<protocol::FileList> &listed) { takeList(pattern, listed); });
 }
 
@@ -103,7 +110,7 @@ void Collection::read(const FileName &name)
 {
     m_current = name.bytes();
     m_transfer =
-        m_session.save(name, this, [this, name](const Result<QByteArray> &content) { takeFile(name, content); });
+        session()->save(name, this, [this, name](const Result<QByteArray> &content) { takeFile(name, content); });
 }
 
 void Collection::takeFile(const FileName &name, const Result<QByteArray> &content)

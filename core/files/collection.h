@@ -41,7 +41,7 @@ public:
 
 protected:
     void run() override;
-    void interrupt() override { m_session.cancel(m_transfer); }
+    void interrupt() override;
 
 private:
     void listNext();
@@ -54,7 +54,6 @@ private:
     [[nodiscard]] bool isSilence() const { return m_silences > 0; }
     void note(const QByteArray &name, const std::optional<values::Error> &error);
 
-    session::FileSession &m_session;
     Sink m_sink;
     Filter m_filter;
     QByteArrayList m_patterns = allPatterns();

@@ -28,7 +28,25 @@ void Operation::start()
     m_error.reset();
     m_isCancelling = false;
     m_startedAt = now();
-    QMetaObject::invokeMethod(this, &Operation::run, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &Operation::begin, Qt::QueuedConnection);
+}
+
+void Operation::begin()
+{
+    if (m_usesSession && !m_session)
+        finish(values::failure(ErrorKind::NotSent, QStringLiteral("the link was closed")));
+    else
+        run();
+}
+
+void Operation::use(session::FileSession &session)
+{
+    m_session = &session;
+    m_usesSession = true;
+    connect(&session, &QObject::destroyed, this, [this] {
+        if (m_state == OperationState::Running)
+            finish(values::failure(lossKind()));
+    });
 }
 
 void Operation::reset()

@@ -46,11 +46,20 @@ protected:
     virtual void run() = 0;
     /// What is under way is to come back with Cancelled.
     virtual void interrupt() = 0;
+    /// What it is when the session goes away in the middle.
+    [[nodiscard]] virtual values::ErrorKind lossKind() const { return values::ErrorKind::NoAnswer; }
+    /// The requests go to this session. If it goes away, because the link was closed, the operation fails.
+    void use(session::FileSession &session);
+    [[nodiscard]] session::FileSession *session() const { return m_session; }
     void finish(const values::Result<void> &result);
     /// Cancelled between two steps.
     [[nodiscard]] bool isCancelling() const { return m_isCancelling; }
 
 private:
+    void begin();
+
+    QPointer<session::FileSession> m_session;
+    bool m_usesSession = false;
     OperationState m_state = OperationState::Waiting;
     std::optional<values::Error> m_error;
     session::Time m_startedAt {};

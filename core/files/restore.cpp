@@ -71,12 +71,12 @@ QList<RestoreItem> planRestore(
 Restore::Restore(session::FileSession &session, FileSet bag, QList<RestoreItem> plan, BackupOrder freshBackup,
     Guard guard, QObject *parent)
     : Operation {parent},
-      m_session {session},
       m_bag {std::move(bag)},
       m_plan {std::move(plan)},
       m_guard {std::move(guard)},
       m_backup {session, std::move(freshBackup)}
 {
+    m_files = &session;
     connect(&m_backup, &Operation::progressed, this, &Operation::progressed);
     connect(&m_backup, &Operation::finished, this, &Restore::onBackedUp);
 }
@@ -141,10 +141,12 @@ void Restore::sendNext()
         return finish({});
     if (isCancelling())
         return finish(values::failure(ErrorKind::Cancelled));
+    if (!m_files)
+        return finish(values::failure(ErrorKind::NotSent, QStringLiteral("the link was closed")));
     const auto content = m_bag.content(next->name);
     if (!content)
         return finish(tl::unexpected(content.error()));
-    m_upload = std::make_unique<Upload>(m_session, next->name, *content, m_guard);
+    m_upload = std::make_unique<Upload>(*m_files, next->name, *content, m_guard);
     connect(m_upload.get(), &Operation::progressed, this, &Operation::progressed);
     connect(m_upload.get(), &Operation::finished, this, &Restore::onSent, Qt::QueuedConnection);
     m_upload->start();
@@ -175,9 +177,9 @@ bool Restore::canPutBack() const
 
 std::unique_ptr<Upload> Restore::putBack() const
 {
-    const auto content =
-        canPutBack() ? m_before.content(m_upload->name()) : Result<QByteArray> {values::failure(ErrorKind::LocalFile)};
-    return content ? std::make_unique<Upload>(m_session, m_upload->name(), *content, m_guard) : nullptr;
+    const auto content = canPutBack() && m_files ? m_before.content(m_upload->name())
+                                                 : Result<QByteArray> {values::failure(ErrorKind::LocalFile)};
+    return content ? std::make_unique<Upload>(*m_files, m_upload->name(), *content, m_guard) : nullptr;
 }
 
 } // namespace files

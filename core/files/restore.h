@@ -68,7 +68,7 @@ private:
     void sendNext();
     void onSent();
 
-    session::FileSession &m_session;
+    QPointer<session::FileSession> m_files;
     FileSet m_bag;
     QList<RestoreItem> m_plan;
     Guard m_guard;

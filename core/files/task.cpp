@@ -60,12 +60,20 @@ QString wordsOf(ReadBack readBack)
 } // namespace
 
 Task::Task(session::FileSession &session, Direction direction, FileName name, QString localPath, QObject *parent)
-    : Operation {parent},
-      m_session {session},
-      m_direction {direction},
-      m_name {std::move(name)},
-      m_localPath {std::move(localPath)}
+    : Operation {parent}, m_direction {direction}, m_name {std::move(name)}, m_localPath {std::move(localPath)}
 {
+    use(session);
+}
+
+void Task::interrupt()
+{
+    if (session())
+        session()->cancel(m_transfer);
+}
+
+values::ErrorKind Task::lossKind() const
+{
+    return m_direction == Direction::Download ? ErrorKind::NoAnswer : ErrorKind::UnknownOutcome;
 }
 
 session::FileSession::Progress Task::counter()
@@ -83,21 +91,22 @@ void Task::save(session::FileSession::ContentHandler handler, int tries)
     const auto take = [this, handler = std::move(handler), tries](const Result<QByteArray> &content) {
         const bool isSilence = !content && content.error().kind == ErrorKind::NoAnswer;
         if (isSilence && tries > 1 && !isCancelling())
-            save(handler, tries - 1);
-        else
-            handler(content);
+            return save(handler, tries - 1);
+        if (content)
+            m_bytesDone = content->size();
+        handler(content);
     };
-    m_transfer = m_session.save(m_name, this, take, counter());
+    m_transfer = session()->save(m_name, this, take, counter());
 }
 
 void Task::load(const QByteArray &content, session::FileSession::DoneHandler handler)
 {
-    m_transfer = m_session.load(m_name, content, this, std::move(handler), counter());
+    m_transfer = session()->load(m_name, content, this, std::move(handler), counter());
 }
 
 void Task::remove(session::FileSession::DoneHandler handler)
 {
-    m_transfer = m_session.remove(m_name, this, std::move(handler));
+    m_transfer = session()->remove(m_name, this, std::move(handler));
 }
 
 double Task::bytesPerSecond() const

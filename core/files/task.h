@@ -45,7 +45,8 @@ public:
 protected:
     Task(session::FileSession &session, Direction direction, values::FileName name, QString localPath, QObject *parent);
 
-    void interrupt() override { m_session.cancel(m_transfer); }
+    void interrupt() override;
+    [[nodiscard]] values::ErrorKind lossKind() const override;
     /// Reads the file, again if nobody answered: up to three times in all.
     void save(session::FileSession::ContentHandler handler, int tries = 3);
     void load(const QByteArray &content, session::FileSession::DoneHandler handler);
@@ -53,7 +54,6 @@ protected:
     [[nodiscard]] session::FileSession::Progress counter();
 
 private:
-    session::FileSession &m_session;
     Direction m_direction;
     values::FileName m_name;
     QString m_localPath;

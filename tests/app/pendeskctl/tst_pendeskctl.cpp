@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "virtualcontroller/server.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using virtualcontroller::Server;
+
+namespace {
+
+struct Ended {
+    int code = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+/// A controller in this process, and the program as a person would call it.
+class Terminal
+{
+public:
+    Terminal()
+    {
+        virtualcontroller::Options options;
+        options.port = 0;
+        options.filePort = 0;
+        server = std::make_unique<Server>(options);
+        isStarted = server->start().has_value();
+    }
+
+    Ended run(const QString &line, bool withHost = true)
+    {
+        QStringList arguments = line.split(u' ', Qt::SkipEmptyParts);
+        arguments.replaceInStrings(QStringLiteral("DIR"), folder.path());
+        if (withHost)
+            arguments << QStringLiteral("--host") << QStringLiteral("127.0.0.1") << QStringLiteral("--port")
+                      << QString::number(server->port()) << QStringLiteral("--file-port")
+                      << QString::number(server->filePort());
+        QProcess process;
+        QSignalSpy finished {&process, &QProcess::finished};
+        process.start(QStringLiteral(PENDESK_BIN "/pendeskctl"), arguments);
+        if (!finished.wait(30000))
+            return {};
+        return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    }
+
+    QString bag()
+    {
+        const QDir controller {folder.filePath(QStringLiteral("bk/127.0.0.1"))};
+        return controller.filePath(controller.entryList(QDir::Dirs | QDir::NoDotAndDotDot).value(0));
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<Server> server;
+    bool isStarted = false;
+};
+
+QJsonDocument json(const Ended &ended) { return QJsonDocument::fromJson(ended.out); }
+
+} // namespace
+
+/// The program in a shell: words in, lines and exit codes out.
+class TestPendeskctl : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void ends_data();
+    void ends();
+    void hasNoDangerousVerb();
+    void needsNoWidgets();
+    void readsInTheFewestPackets();
+    void writesOnlyWhenTold();
+    void transfersFiles();
+    void backsUpAndRestores();
+    void watches();
+};
+
+void TestPendeskctl::ends_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<int>("code");
+    const auto row = [](const char *line, int code) { QTest::newRow(line) << QString::fromLatin1(line) << code; };
+    row("info", 0);
+    row("position --json", 0);
+    row("alarms", 0);
+    row("alarms --history major --json", 0);
+    row("alarms --history none", 2);
+    row("jobs", 0);
+    row("io get 1..10", 0);
+    row("io get 10..1", 2);
+    row("io get 9999", 2);
+    row("io set 10010 1 --yes", 2);
+    row("io set 27010 1", 2);
+    row("io set 27010 2 --yes", 2);
+    row("registers get 0..99", 0);
+    row("registers get 0..1000", 2);
+    row("registers set 600 1 --yes", 2);
+    row("var get B005 S003 P000..P001", 0);
+    row("var get X005", 2);
+    row("var set B005 77 --yes", 2);
+    row("var set B005 256 --yes --numbering 0", 2);
+    row("var set B005 77 --yes --numbering 2", 2);
+    row("var set P005 77 --yes --numbering 0", 2);
+    row("var", 2);
+    row("files get NONE.JBI --to DIR", 4);
+    row("files get ../x --to DIR", 2);
+    row("files put DIR/none.JBI --yes", 5);
+    row("files rm HOME.JBI", 2);
+    row("files move A B", 2);
+    row("backup", 2);
+    row("backup /proc/none", 5);
+    row("compare DIR/none", 5);
+    row("restore DIR/none --yes", 5);
+    row("watch --count 1 B000", 0);
+    row("watch --every soon B000", 2);
+    row("info --unknown", 2);
+}
+
+void TestPendeskctl::ends()
+{
+    QFETCH(QString, line);
+    QFETCH(int, code);
+    Terminal terminal;
+    QVERIFY(terminal.isStarted);
+    const Ended ended = terminal.run(line);
+    QVERIFY2(ended.code == code, ended.out + ended.err);
+    QCOMPARE(ended.err.isEmpty(), code == 0 && line != u"alarms");
+}
+
+void TestPendeskctl::hasNoDangerousVerb()
+{
+    Terminal terminal;
+    const QByteArray help = terminal.run(QStringLiteral("--help"), false).out;
+    for (const char *verb : {"move", "jog", "start", "servo", "select", "hold"}) {
+        QVERIFY(!help.contains(verb));
+        QCOMPARE(terminal.run(QString::fromLatin1(verb)).code, 2);
+    }
+}
+
+void TestPendeskctl::needsNoWidgets()
+{
+    QProcess ldd;
+    ldd.start(QStringLiteral("ldd"), {QStringLiteral(PENDESK_BIN "/pendeskctl")});
+    QVERIFY(ldd.waitForFinished());
+    const QByteArray libraries = ldd.readAllStandardOutput();
+    QVERIFY(
+        libraries.contains("libQt6Core") && !libraries.contains("libQt6Gui") && !libraries.contains("libQt6Widgets"));
+}
+
+void TestPendeskctl::readsInTheFewestPackets()
+{
+    Terminal terminal;
+    for (int number = 0; number < 100; ++number)
+        terminal.server->memory().d[std::size_t(number)].value = number * 3;
+    const Ended ended = terminal.run(QStringLiteral("var get D000..D099 --json"));
+    QCOMPARE(ended.code, 0);
+    QCOMPARE(json(ended).object().value(u"D099").toInt(), 297);
+    QCOMPARE(json(ended).object().size(), 100);
+    QCOMPARE(terminal.server->arrived(0x304), 1); // 118 fit into one packet (reference §4.5)
+    QCOMPARE(terminal.server->arrived(0x7C), 0);
+}
+
+void TestPendeskctl::writesOnlyWhenTold()
+{
+    Terminal terminal;
+    auto &memory = terminal.server->memory();
+    QCOMPARE(terminal.run(QStringLiteral("var set B005 77 --yes --numbering 0")).code, 0);
+    QCOMPARE(memory.b[5].value, quint8(77));
+    QCOMPARE(terminal.run(QStringLiteral("var set S003 PART --yes --numbering 0")).code, 0);
+    QCOMPARE(memory.s[3].value.bytes().toByteArray(), "PART");
+    QCOMPARE(terminal.run(QStringLiteral("registers set 5 123 --yes")).code, 0);
+    QCOMPARE(memory.registers[5].value, quint16(123));
+    QCOMPARE(terminal.run(QStringLiteral("io set 27012 1 --yes")).code, 0);
+    QCOMPARE(memory.io[2701], quint8(4));
+    QCOMPARE(terminal.run(QStringLiteral("registers set 5 1")).code, 2);
+    QCOMPARE(memory.registers[5].value, quint16(123));
+}
+
+void TestPendeskctl::transfersFiles()
+{
+    Terminal terminal;
+    auto &files = terminal.server->memory().files;
+    const QByteArray home = files["HOME.JBI"];
+    QCOMPARE(terminal.run(QStringLiteral("files get *.JBI VARNAME.DAT --to DIR/in")).code, 0);
+    QFile local {terminal.folder.filePath(QStringLiteral("in/HOME.JBI"))};
+    QVERIFY(local.open(QIODevice::ReadOnly));
+    QCOMPARE(local.readAll(), home);
+    QCOMPARE(terminal.run(QStringLiteral("files get HOME.JBI --to DIR/in")).code, 7); // it exists
+    files["HOME.JBI"] = "changed";
+    QCOMPARE(terminal.run(QStringLiteral("files put DIR/in/HOME.JBI --yes")).code, 7);
+    QCOMPARE(files["HOME.JBI"], "changed");
+    const Ended put = terminal.run(QStringLiteral("files put DIR/in/HOME.JBI --yes --replace --json"));
+    QCOMPARE(put.code, 0);
+    QCOMPARE(json(put).array().at(0).toObject().value(u"result").toString(), QStringLiteral("identical"));
+    QCOMPARE(files["HOME.JBI"], home);
+    QCOMPARE(terminal.run(QStringLiteral("files rm HOME.JBI --yes --to DIR/copies")).code, 0);
+    QVERIFY(!files.contains("HOME.JBI"));
+    QVERIFY(QFile::exists(terminal.folder.filePath(QStringLiteral("copies/HOME.JBI"))));
+    terminal.server->memory().status.data1 |= values::Status::Running;
+    terminal.server->memory().isJobRunning = true;
+    QCOMPARE(terminal.run(QStringLiteral("files put DIR/in/HOME.JBI --yes --replace")).code, 4);
+}
+
+void TestPendeskctl::backsUpAndRestores()
+{
+    Terminal terminal;
+    auto &files = terminal.server->memory().files;
+    QCOMPARE(terminal.run(QStringLiteral("backup DIR/bk")).code, 0);
+    const QString bag = terminal.bag();
+    QCOMPARE(terminal.run(QStringLiteral("verify ") + bag, false).code, 0);
+    QCOMPARE(terminal.run(QStringLiteral("compare ") + bag).code, 0);
+    const QByteArray weld = files["WELD_A12.JBI"];
+    files["WELD_A12.JBI"] = QByteArray(weld).replace("V=25.0", "V=50.0");
+    const Ended compared = terminal.run(QStringLiteral("compare --json ") + bag);
+    QCOMPARE(compared.code, 1);
+    const auto change = json(compared).array().at(0).toObject();
+    QCOMPARE(change.value(u"name").toString(), QStringLiteral("WELD_A12.JBI"));
+    QCOMPARE(change.value(u"edits").toArray().at(0).toString(), QStringLiteral("V 25.0 → 50.0 at line 8"));
+    QCOMPARE(terminal.run(QStringLiteral("restore --dry-run ") + bag).code, 1);
+    QCOMPARE(terminal.run(QStringLiteral("restore ") + bag).code, 2);
+    QVERIFY(files["WELD_A12.JBI"] != weld);
+    const Ended restored = terminal.run(QStringLiteral("restore --yes %1 WELD_A12.JBI").arg(bag));
+    QVERIFY2(restored.code == 0, restored.err);
+    QCOMPARE(files["WELD_A12.JBI"], weld);
+    QVERIFY(QFile::remove(bag + QStringLiteral("/data/HOME.JBI")));
+    QCOMPARE(terminal.run(QStringLiteral("verify ") + bag, false).code, 6);
+    QCOMPARE(terminal.run(QStringLiteral("restore --yes ") + bag).code, 6);
+    files["EMPTY.DAT"] = "";
+    QCOMPARE(terminal.run(QStringLiteral("backup DIR/bk")).code, 7);
+}
+
+void TestPendeskctl::watches()
+{
+    Terminal terminal;
+    const Ended ended = terminal.run(QStringLiteral("watch --every 20ms --count 3 --json B000 M005"));
+    QCOMPARE(ended.code, 0);
+    QCOMPARE(ended.out.trimmed().split('\n').size(), 3);
+}
+
+QTEST_GUILESS_MAIN(TestPendeskctl)
+
+#include "tst_pendeskctl.moc"

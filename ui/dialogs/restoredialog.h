@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "files/restore.h"
+#include "settings/profile.h"
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace dialogs {
+
+/// What a restore would do, file by file; and, once it was confirmed, how it goes.
+class RestoreDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    RestoreDialog(const settings::Profile &profile, const QDateTime &taken, const QList<files::RestoreItem> &plan,
+        QWidget *parent = nullptr);
+
+    /// Begins it and shows how it goes.
+    void follow(std::unique_ptr<files::Restore> restore);
+    /// Closing it while files are sent cancels that first, and the dialog stays to tell how far it came.
+    void reject() override;
+
+Q_SIGNALS:
+    /// The person wants it so; what was taken off the list is not in it.
+    void confirmed(const QList<files::RestoreItem> &plan);
+    /// A file was sent, or could not be.
+    void tried(const files::Upload *upload);
+
+private:
+    void addItem(const files::RestoreItem &item);
+    [[nodiscard]] QList<files::RestoreItem> chosenPlan() const;
+    void countChosen();
+    void showProgress();
+    void onFinished();
+    void putBack();
+
+    settings::Profile m_profile;
+    QList<files::RestoreItem> m_plan;
+    QTreeWidget *m_items;
+    QLabel *m_state;
+    QPushButton *m_go;
+    QPushButton *m_putBack;
+    QPushButton *m_close;
+    std::unique_ptr<files::Restore> m_restore;
+    std::unique_ptr<files::Upload> m_back;
+};
+
+} // namespace dialogs
