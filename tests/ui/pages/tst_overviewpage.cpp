@@ -102,7 +102,9 @@ struct Desk {
     robot::Orders orders {controller, access, arming};
     QTemporaryDir folder;
     trend::Recorder recorder {controller, folder.path()};
-    pages::OverviewPage page {{controller, orders, state, profile, actions, recorder}};
+    journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
+    robot::AlarmLog alarms {orders, journal};
+    pages::OverviewPage page {{controller, orders, alarms, journal, state, profile, actions, recorder}};
 };
 
 bool lay(QWidget &widget, const QSize &size)
