@@ -38,9 +38,11 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
       m_numbering {m_orders},
       m_authority {authority},
       m_recorder {m_controller, trend::Archive::folderOf(profile.name)},
+      m_alarms {m_orders, authority.journal},
       m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
       m_bar {new widgets::MessageBar},
       m_lockBar {new widgets::MessageBar},
+      m_journalBar {new widgets::MessageBar},
       m_stack {new QStackedWidget},
       m_stripInterest {m_controller.poller().want(alwaysRead())}
 {
@@ -52,6 +54,7 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
     column->addWidget(desk(), 1);
     m_bar->setObjectName(QStringLiteral("messageBar"));
     m_lockBar->setObjectName(QStringLiteral("lockBar"));
+    m_journalBar->setObjectName(QStringLiteral("journalBar"));
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
     m_names.follow(m_controller);
@@ -61,6 +64,7 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
             actions.action(*m_barAction)->trigger();
     });
     follow();
+    followJournal();
     openPage(0);
     onLinkChanged();
 }
@@ -80,7 +84,9 @@ QWidget *ControllerView::desk()
     content->setSpacing(0);
     m_bar->setContentsMargins(space::page, space::page, space::page, 0);
     m_lockBar->setContentsMargins(space::page, space::page, space::page, 0);
+    m_journalBar->setContentsMargins(space::page, space::page, space::page, 0);
     content->addWidget(m_lockBar);
+    content->addWidget(m_journalBar);
     content->addWidget(m_bar);
     content->addWidget(m_stack, 1);
     auto *result = new QWidget;
@@ -94,8 +100,8 @@ QWidget *ControllerView::desk()
 
 void ControllerView::addPages(settings::ProfileStore &store, const Actions &actions)
 {
-    const pages::Context context {m_controller, m_orders, m_controller.state(), m_controller.profile(), store, m_names,
-        m_numbering, actions, m_recorder};
+    const pages::Context context {m_controller, m_orders, m_alarms, m_authority.journal, m_controller.state(),
+        m_controller.profile(), store, m_names, m_numbering, actions, m_recorder};
     for (const PageRow &row : pageCatalog()) {
         pages::Page *page = row.create(context, m_stack);
         page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));
@@ -240,6 +246,28 @@ void ControllerView::showLock()
     const widgets::Message locked {
         widgets::Severity::Warning, text.arg(m_controller.profile().name), tr("Release HLOCK")};
     m_lockBar->show(m_orders.isPendantLocked() ? locked : widgets::Message {});
+}
+
+/// Everything that is ordered is written down; while that fails work goes on and every page says so.
+void ControllerView::followJournal()
+{
+    using journal::Store;
+    using widgets::Severity;
+    Store &journal = m_authority.journal;
+    const auto fail = [this](const QString &reason) { m_journalBar->show({Severity::Warning, reason, {}}); };
+    connect(&m_orders, &robot::Orders::recorded, &journal, &Store::append);
+    connect(&journal, &Store::failed, this, fail);
+    connect(&journal, &Store::recovered, this, [this](qint64 dropped) {
+        const QString lost = tr("The journal works again. %n record(s) were lost.", nullptr, int(dropped));
+        m_journalBar->show(dropped > 0 ? widgets::Message {Severity::Warning, lost, tr("Close")} : widgets::Message {});
+    });
+    connect(&journal, &Store::setAside, this, [this](const QString &path) {
+        const QString text = tr("The journal was damaged. It was kept as %1, and a new one was begun.");
+        m_journalBar->show({Severity::Warning, text.arg(path), tr("Close")});
+    });
+    connect(m_journalBar, &widgets::MessageBar::linkActivated, this, [this] { m_journalBar->show({}); });
+    if (!journal.trouble().isEmpty())
+        fail(journal.trouble());
 }
 
 void ControllerView::releaseLock()

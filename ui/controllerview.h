@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/alarmlog.h"
 #include "robot/namebook.h"
 #include "robot/numbering.h"
 #include "robot/orders.h"
@@ -23,10 +24,11 @@ class Page;
 
 namespace ui {
 
-/// Who may do what, for the whole program.
+/// What the whole program shares: who may do what, and where it is written down.
 struct Authority {
     robot::Access &access;
     robot::Arming &arming;
+    journal::Store &journal;
 };
 
 class NavigationRail;
@@ -47,6 +49,7 @@ public:
     [[nodiscard]] robot::Controller &controller() { return m_controller; }
     [[nodiscard]] trend::Recorder &recorder() { return m_recorder; }
     [[nodiscard]] robot::Orders &orders() { return m_orders; }
+    [[nodiscard]] robot::AlarmLog &alarms() { return m_alarms; }
     [[nodiscard]] robot::NameBook &names() { return m_names; }
     [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
     /// Brings the page in view, in its own window if it has one.
@@ -83,6 +86,7 @@ private:
     void onStatisticsChanged();
     void showLink();
     void showLock();
+    void followJournal();
 
     robot::Controller m_controller;
     robot::Orders m_orders;
@@ -90,9 +94,11 @@ private:
     robot::NumberingGuard m_numbering;
     Authority m_authority;
     trend::Recorder m_recorder;
+    robot::AlarmLog m_alarms;
     NavigationRail *m_rail;
     widgets::MessageBar *m_bar;
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
+    widgets::MessageBar *m_journalBar; ///< On every page while the journal fails.
     QStackedWidget *m_stack;
     QList<pages::Page *> m_pages; ///< In the order of the page catalogue.
     robot::Poller::Interest m_stripInterest;

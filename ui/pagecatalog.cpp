@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pagecatalog.h"
 
+#include "ui/pages/alarmspage.h"
 #include "ui/pages/backuppage.h"
 #include "ui/pages/filespage.h"
 #include "ui/pages/iopage.h"
 #include "ui/pages/jobspage.h"
+#include "ui/pages/journalpage.h"
 #include "ui/pages/overviewpage.h"
 #include "ui/pages/positionpage.h"
 #include "ui/pages/registerspage.h"
@@ -25,6 +27,7 @@ template <typename Page> pages::Page *create(const pages::Context &context, QWid
 #define TITLE(text) QT_TRANSLATE_NOOP("Pages", text)
 constexpr PageRow rows[] {
     {"overview", TITLE("Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
+    {"alarms", TITLE("Alarms"), "alarms", "Ctrl+2", create<pages::AlarmsPage>},
     {"io", TITLE("I/O"), "io", "Ctrl+3", create<pages::IoPage>},
     {"registers", TITLE("Registers"), "registers", "Ctrl+4", create<pages::RegistersPage>},
     {"variables", TITLE("Variables"), "variables", "Ctrl+5", create<pages::VariablesPage>},
@@ -33,6 +36,7 @@ constexpr PageRow rows[] {
     {"jobs", TITLE("Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},
     {"files", TITLE("Files"), "files", "Ctrl+8", create<pages::FilesPage>},
     {"backup", TITLE("Backup"), "backup", "Ctrl+9", create<pages::BackupPage>},
+    {"journal", TITLE("Journal"), "journal", "Ctrl+0", create<pages::JournalPage>},
 };
 #undef TITLE
 

@@ -61,7 +61,8 @@ int run(const Options &options, QApplication &application)
     const ui::Presence presence {access, arming};
     QObject::connect(
         &access, &robot::Access::settingsChanged, &access, [&] { settings::writeAccess(file, access.settings()); });
-    ui::MainWindow window {store, {access, arming}, [&demo] { return demo.start(); }};
+    journal::Store journal;
+    ui::MainWindow window {store, {access, arming, journal}, [&demo] { return demo.start(); }};
     window.offer(target->value_or(store.find(store.lastUsed()).value_or(settings::Profile {})));
     std::optional<Timings> timings;
     if (options.wantsTimings)

@@ -129,7 +129,7 @@ Result<Page<AlarmRecord>> alarms(Database &database, const AlarmFilter &filter, 
             while (query->next()) {
                 page.records += AlarmRecord {query->value(1).toString(),
                     values::AlarmHistoryClass(query->value(2).toInt()), alarmFrom(*query, 4), timeOf(query->value(3))};
-                last = {stamp(page.records.last().seen), query->value(0).toLongLong()};
+                last.id = query->value(0).toLongLong();
                 page.newest = std::max(page.newest, last.id);
             }
             query->finish();

@@ -54,7 +54,7 @@ Database::~Database() { close(); }
 
 Result<void> Database::open()
 {
-    if (!m_connection.isEmpty() && isFile() && !QFileInfo::exists(m_place.toLocalFile()))
+    if (!m_connection.isEmpty() && isFile() && !QFileInfo(m_place.toLocalFile()).isFile())
         close(); // somebody removed the file: writing on would write into nothing
     if (!m_connection.isEmpty() && !m_isDamaged)
         return {};

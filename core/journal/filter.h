@@ -30,6 +30,7 @@ struct AlarmFilter {
 struct Cursor {
     qint64 at = std::numeric_limits<qint64>::max();
     qint64 id = std::numeric_limits<qint64>::max();
+    qint64 newest = std::numeric_limits<qint64>::max(); ///< What came after the first page is on none of them.
 
     bool operator==(const Cursor &) const = default;
 };
@@ -38,7 +39,7 @@ struct Cursor {
 template <typename Record> struct Page {
     QList<Record> records;
     std::optional<Cursor> next;
-    qint64 newest = 0; ///< The highest id among the records; 0 if there are none.
+    qint64 newest = 0; ///< The highest id when the first page was asked for; 0 if there was no record.
 };
 
 } // namespace journal

@@ -41,7 +41,7 @@ QString pattern(QString text)
 }
 
 struct Condition {
-    QStringList parts {QStringLiteral("(tried_at, id) < (?, ?)")};
+    QStringList parts {QStringLiteral("(tried_at, id) < (?, ?)"), QStringLiteral("id <= ?")};
     QVariantList bound;
 
     void add(bool isWanted, const char *part, const QVariant &value)
@@ -56,7 +56,7 @@ struct Condition {
 Condition conditionOf(const OrderFilter &filter, const Cursor &from)
 {
     Condition condition;
-    condition.bound = {from.at, from.id};
+    condition.bound = {from.at, from.id, from.newest};
     condition.add(filter.from.isValid(), "tried_at >= ?", stamp(filter.from));
     condition.add(filter.to.isValid(), "tried_at < ?", stamp(filter.to));
     condition.add(!filter.controller.isEmpty(), "controller = ?", filter.controller);
@@ -69,6 +69,15 @@ Condition conditionOf(const OrderFilter &filter, const Cursor &from)
         "|| new_value || ' ' || reply) LIKE ? ESCAPE '\\'",
         pattern(filter.text));
     return condition;
+}
+
+Result<qint64> newestId(Database &database)
+{
+    return database.run(QStringLiteral("SELECT MAX(id) FROM orders")).map([](QSqlQuery *query) {
+        const qint64 id = query->next() ? query->value(0).toLongLong() : 0;
+        query->finish();
+        return id;
+    });
 }
 
 Result<QStringList> namesIn(Database &database, const char *column)
@@ -100,20 +109,25 @@ Result<void> write(Database &database, const OrderRecord &order)
 
 Result<Page<OrderRecord>> orders(Database &database, const OrderFilter &filter, const Cursor &from, int count)
 {
-    Condition condition = conditionOf(filter, from);
+    const auto newest = newestId(database);
+    if (!newest)
+        return tl::unexpected(newest.error());
+    Cursor last = from;
+    last.newest = std::min(from.newest, *newest);
+    const Condition condition = conditionOf(filter, last);
     const auto statement =
         QStringLiteral("SELECT id, tried_at, person, host, level, controller, action, subject, old_value, new_value, "
                        "outcome, status, added, reply, duration FROM orders WHERE %1 "
                        "ORDER BY tried_at DESC, id DESC LIMIT %2")
             .arg(condition.parts.join(QStringLiteral(" AND ")))
             .arg(count);
-    return database.run(statement, condition.bound).map([count](QSqlQuery *query) {
+    return database.run(statement, condition.bound).map([count, last](QSqlQuery *query) mutable {
         Page<OrderRecord> page;
-        Cursor last;
+        page.newest = last.newest;
         while (query->next()) {
             page.records += orderFrom(*query);
-            last = {query->value(1).toLongLong(), query->value(0).toLongLong()};
-            page.newest = std::max(page.newest, last.id);
+            last.at = query->value(1).toLongLong();
+            last.id = query->value(0).toLongLong();
         }
         query->finish();
         if (page.records.size() == count)

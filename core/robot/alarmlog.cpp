@@ -15,6 +15,7 @@ namespace robot {
 
 namespace {
 
+constexpr int mostFailures = 3; ///< After that a reading waits for the next occasion.
 constexpr TopicRange activeAlarms {Kind::Alarm, 1, values::activeAlarmCount};
 
 } // namespace
@@ -35,6 +36,7 @@ AlarmLog::AlarmLog(Orders &orders, journal::Store &store, const Options &options
     m_pause.setSingleShot(true);
     connect(&m_pause, &QTimer::timeout, this, &AlarmLog::beginReading);
     connect(&orders.controller().state(), &RobotState::changed, this, &AlarmLog::onStateChanged);
+    connect(&orders.controller(), &Controller::linkStateChanged, this, &AlarmLog::beginReading);
     loadKnown();
 }
 
@@ -129,6 +131,7 @@ void AlarmLog::readHistorySoon()
 
 void AlarmLog::readHistory()
 {
+    m_failures = 0;
     m_isReadingDue = true;
     beginReading();
 }
@@ -177,7 +180,12 @@ void AlarmLog::onFinished(const std::optional<Error> &error)
     m_reader->disconnect(this);
     m_reader.clear();
     m_readingError = error;
-    m_isReadingDue &= !error;
+    const bool isUnanswered = error && error->kind != values::ErrorKind::Cancelled;
+    m_failures = isUnanswered ? m_failures + 1 : 0;
+    if (error)
+        m_isReadingDue = isUnanswered && m_failures < mostFailures;
+    if (isUnanswered)
+        m_pause.start(m_options.pause);
     if (!m_pause.isActive())
         beginReading();
     Q_EMIT readingChanged();

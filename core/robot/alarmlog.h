@@ -12,7 +12,8 @@ namespace robot {
 /// Follows the alarms of one controller and writes them to the journal, whether somebody looks or not. While there is
 /// no alarm it reads nothing by itself.
 ///
-/// The history is read when an alarm came, and when somebody asks for it.
+/// The history is read when an alarm came, and when somebody asks for it; a reading that was not answered is tried
+/// again a few times.
 class AlarmLog : public QObject
 {
     Q_OBJECT
@@ -72,6 +73,7 @@ private:
     QPointer<AlarmHistoryReader> m_reader;
     QTimer m_pause;
     bool m_isReadingDue = false;
+    int m_failures = 0; ///< Readings in a row that nobody answered.
     int m_entriesRead = 0;
     std::optional<values::Error> m_readingError;
 };

@@ -20,7 +20,7 @@ public:
     Harness()
         : file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat},
           store {file},
-          window {store, {access, arming}, [this] { return startController(); }}
+          window {store, {access, arming, journal}, [this] { return startController(); }}
     {
     }
 
@@ -95,6 +95,7 @@ public:
     robot::Arming arming;
     std::chrono::milliseconds readTimeout {100}; ///< Of the profile.
     std::chrono::milliseconds servoTimeout {8000};
+    journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
     quint16 port = 0;
     quint16 filePort = 0;
     std::unique_ptr<virtualcontroller::Server> server;

@@ -20,7 +20,7 @@ void Page::setContent(QWidget *content) { m_layers->addWidget(content); }
 
 void Page::showLink(const ui::LinkView &link)
 {
-    m_layers->setCurrentIndex(link.state == robot::LinkState::Disconnected ? 0 : 1);
+    m_layers->setCurrentIndex(link.state == robot::LinkState::Disconnected && needsLink() ? 0 : 1);
 }
 
 void Page::showEvent(QShowEvent *event)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/alarmlog.h"
 #include "robot/orders.h"
 #include "ui/linkview.h"
 #include <QWidget>
@@ -31,6 +32,8 @@ namespace pages {
 struct Context {
     robot::Controller &controller; ///< For its life and its link; what is shown comes from `state`.
     robot::Orders &orders; ///< For everything that changes something, and for reads that belong to a procedure.
+    robot::AlarmLog &alarms; ///< The alarms of this controller, as people and the journal know them.
+    journal::Store &journal;
     const robot::RobotState &state;
     const settings::Profile &profile;
     settings::ProfileStore &store; ///< For what people keep about the controller.
@@ -67,6 +70,8 @@ protected:
     void setContent(QWidget *content);
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    /// Without a connection there is nothing to show. A page that shows what this computer knows says no.
+    [[nodiscard]] virtual bool needsLink() const { return true; }
 
 private:
     QStackedLayout *m_layers;

@@ -10,6 +10,7 @@
 #include "ui/widgets/valuelabel.h"
 #include <QAbstractButton>
 #include <QApplication>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
@@ -102,7 +103,14 @@ struct Desk {
     robot::Orders orders {controller, access, arming};
     QTemporaryDir folder;
     trend::Recorder recorder {controller, folder.path()};
-    pages::OverviewPage page {{controller, orders, state, profile, actions, recorder}};
+    journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
+    robot::AlarmLog alarms {orders, journal};
+    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::ProfileStore store {file};
+    robot::NameBook names {profile, store.notes(profile.name)};
+    robot::NumberingGuard numbering {orders};
+    pages::OverviewPage page {
+        {controller, orders, alarms, journal, state, profile, store, names, numbering, actions, recorder}};
 };
 
 bool lay(QWidget &widget, const QSize &size)
