@@ -35,7 +35,6 @@ CellEditor::CellEditor(const QString &text, const QString &hint, Check check, QW
     m_liveLabel->setObjectName(QStringLiteral("liveLabel"));
     m_hintLabel->setObjectName(QStringLiteral("hintLabel"));
     m_liveLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_hintLabel->setAutoFillBackground(true);
     setAlignment(Qt::AlignRight);
     setValidator(new Judge(m_check, this));
     connect(this, &QLineEdit::textChanged, this, &CellEditor::judge);
@@ -57,9 +56,13 @@ void CellEditor::place(const QRect &field, const QRect &live, const QRect &hint)
     setGeometry(field);
     m_liveLabel->setGeometry(live);
     m_hintLabel->setGeometry(hint);
-    QPalette ground = m_hintLabel->palette();
-    ground.setColor(QPalette::Window, ui::color(ui::Role::AccentGround, this));
-    m_hintLabel->setPalette(ground);
+    for (QLabel *label : {m_liveLabel.data(), m_hintLabel.data()}) { // they cover what the cells say
+        QPalette ground = label->palette();
+        ground.setColor(QPalette::Window, ui::color(ui::Role::AccentGround, this));
+        label->setPalette(ground);
+        label->setBackgroundRole(QPalette::Window);
+        label->setAutoFillBackground(true);
+    }
 }
 
 void CellEditor::judge()

@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/overviewpage.h"
 
+#include "robot/namebook.h"
+#include "robot/numbering.h"
 #include "robot/orders.h"
+#include "settings/profilestore.h"
 #include "trend/recorder.h"
 #include "ui/actioncatalog.h"
 #include "ui/robotstrip.h"

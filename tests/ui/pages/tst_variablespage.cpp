@@ -38,9 +38,10 @@ struct Sheet : Room {
     {
         select(row);
         QTest::keyClick(table(), Qt::Key_Return);
-        auto *editor = table()->findChild<QLineEdit *>(QStringLiteral("cellEditor"));
-        if (!editor)
+        const auto editors = table()->findChildren<QLineEdit *>(QStringLiteral("cellEditor"));
+        if (editors.isEmpty())
             return;
+        QLineEdit *editor = editors.last(); // the one before may not be gone yet
         editor->selectAll();
         QTest::keyClicks(editor, words);
         QTest::keyClick(editor, Qt::Key_Return);
