@@ -33,7 +33,8 @@ def seeds():
     yield "fileList", [names, b"A.JBI\r\n\r\nB\\C.JBI\r\n.JBI"]
     yield "text", [bytes([number, direction, 5]) + text.encode("utf-8" if direction == 2 else encoding, "ignore")
                    for number, encoding in enumerate(ENCODINGS) for direction in range(3) for text in TEXTS]
-    yield "inform", [start + job for start in (b"\0", b"\1A.JBI\n", b"\1A.CND\n") for job in jobs]
+    yield "inform", [start + job for start in (b"\0", b"\1A.JBI\n", b"\1A.CND\n", b"\2") for job in jobs] + [
+        b"\3" + b"a" * 64 + b"  data/A.JBI\n"]
 
 
 for target, contents in seeds():

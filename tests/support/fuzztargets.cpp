@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "support/fuzztargets.h"
 
+#include "files/bagtext.h"
+#include "files/jobdiff.h"
+#include "files/preflight.h"
 #include "protocol/catalog.h"
 #include "protocol/decoder.h"
 #include "protocol/fileblocks.h"
@@ -200,6 +203,27 @@ void isRead(const QByteArray &job)
     require(program->stepAt(count) == program->stepAt(count - 1) && program->stepAt(count) <= count, "too many steps");
 }
 
+/// Any bytes taken for a job come back as they were, and a comparison with itself finds nothing.
+void isKept(const QByteArray &content)
+{
+    const files::Job job = files::parseJob(content);
+    require(print(job) == content, "a job lost bytes");
+    require(diffJobs(job, job, {}).isEmpty(), "a job differs from itself");
+    require(std::ranges::all_of(job.instructions, [&](int line) { return line < job.lines.size(); }),
+        "an instruction is nowhere");
+    (void)job.labels();
+    (void)job.calls();
+    (void)files::preflight(*FileName::create("A.JBI"), content);
+}
+
+/// What a manifest says is what was written, to the byte.
+void isManifest(const QByteArray &text)
+{
+    if (const auto manifest = files::manifestFrom(text))
+        require(files::toText(*manifest) == text, "a manifest is not as it was written");
+    (void)files::bagInfoFrom(text);
+}
+
 /// A running controller refuses a file or has it afterwards, and nothing else has changed.
 void isLoaded(QByteArrayView file)
 {
@@ -296,10 +320,12 @@ void text(QByteArrayView data)
 void inform(QByteArrayView data)
 {
     Source source {data};
-    if (source.byte() % 2)
-        isLoaded(source.rest());
-    else
-        isRead(source.rest().toByteArray());
+    switch (source.byte() % 4) {
+    case 0: return isRead(source.rest().toByteArray());
+    case 1: return isLoaded(source.rest());
+    case 2: return isKept(source.rest().toByteArray());
+    default: return isManifest(source.rest().toByteArray());
+    }
 }
 
 } // namespace fuzz

@@ -3,6 +3,7 @@
 #include "ui/dialogs/jobeditor.h"
 
 #include "files/preflight.h"
+#include "ui/widgets/informhighlighter.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
 #include <QPlainTextEdit>
@@ -25,6 +26,7 @@ JobEditor::JobEditor(
     m_text->setObjectName(QStringLiteral("jobText"));
     m_text->setAccessibleName(tr("Text of the file"));
     m_text->setFont(ui::font(ui::Type::Mono));
+    new widgets::InformHighlighter(m_text->document(), m_text);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_findings->setObjectName(QStringLiteral("findings"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -39,7 +41,8 @@ JobEditor::JobEditor(
     column->addWidget(m_findings);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_send, &QPushButton::clicked, this, [this] { Q_EMIT sendRequested(this->content().value_or(QByteArray())); });
+    connect(
+        m_send, &QPushButton::clicked, this, [this] { Q_EMIT sendRequested(this->content().value_or(QByteArray())); });
     connect(m_text, &QPlainTextEdit::textChanged, this, &JobEditor::check);
     check();
 }

@@ -30,6 +30,7 @@ OverwriteDialog::OverwriteDialog(
         addButton(row, tr("&Keep both"), "keepBoth", Choice::KeepBoth);
     addButton(row, tr("&Skip"), "skip", Choice::Skip, true);
     column->addLayout(row);
+    findChild<QPushButton *>(QStringLiteral("skip"))->setFocus();
 }
 
 bool OverwriteDialog::isForAll() const { return m_forAll->isChecked(); }
@@ -40,8 +41,6 @@ void OverwriteDialog::addButton(QHBoxLayout *row, const QString &text, const cha
     button->setObjectName(QLatin1String(name));
     button->setAutoDefault(isDefault);
     button->setDefault(isDefault);
-    if (isDefault)
-        button->setFocus();
     connect(button, &QPushButton::clicked, this, [this, choice] {
         m_choice = choice;
         accept();

@@ -3,6 +3,7 @@
 #include "ui/dialogs/restoredialog.h"
 
 #include "protocol/codes.h"
+#include "ui/widgets/rowdelegate.h"
 #include "ui/widgets/text.h"
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -46,6 +47,7 @@ RestoreDialog::RestoreDialog(
     m_items->setAccessibleName(tr("What would be done"));
     m_items->setHeaderLabels({tr("File"), tr("What is done"), tr("Reason")});
     m_items->setRootIsDecorated(false);
+    widgets::RowDelegate::dress(m_items);
     m_items->setColumnWidth(0, 200);
     m_items->setColumnWidth(1, 200);
     m_items->header()->setFont(ui::font(ui::Type::Label));

@@ -7,6 +7,7 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/diffview.h"
 #include "ui/widgets/orderbutton.h"
+#include "ui/widgets/rowdelegate.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -47,6 +48,7 @@ QTreeWidget *table(const QStringList &titles, const char *name, const QString &a
     result->setRootIsDecorated(false);
     result->setUniformRowHeights(true);
     result->header()->setFont(ui::font(ui::Type::Label));
+    widgets::RowDelegate::dress(result);
     return result;
 }
 
@@ -186,6 +188,7 @@ QList<robot::TopicRange> BackupPage::topics() const
 void BackupPage::showLink(const ui::LinkView &link)
 {
     Page::showLink(link);
+    m_isUp = link.state == robot::LinkState::Monitoring;
     updateButtons();
 }
 
@@ -252,9 +255,8 @@ std::optional<ArchiveEntry> BackupPage::chosen() const
 void BackupPage::updateButtons()
 {
     const auto entry = chosen();
-    const bool isUp = m_context.controller.files() != nullptr;
     const bool isBusy = (m_backup && !m_backup->isOver()) || (m_snapshot && !m_snapshot->isOver());
-    m_backUp->setEnabled(isUp && !isBusy);
+    m_backUp->setEnabled(m_isUp && !isBusy);
     m_verify->setEnabled(entry && !m_verifying.isRunning());
     m_pin->setEnabled(entry.has_value());
     m_pin->setText(entry && entry->isPinned ? tr("Unpin") : tr("Pin"));

@@ -64,6 +64,7 @@ private:
     const Context m_context;
     FileOrders m_orders;
     QString m_root;
+    bool m_isUp = false;
     QList<files::ArchiveEntry> m_entries; ///< Newest first, as the tree shows them.
     QHash<QString, int> m_changes; ///< By id: files that differ from the backup before.
     QFutureWatcher<QHash<QString, int>> m_counting;

@@ -136,6 +136,9 @@ QWidget *FilesPage::queueCard()
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setShowGrid(false);
     m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(26);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->setFrameShape(QFrame::NoFrame);
     m_table->horizontalHeader()->setSectionResizeMode(models::QueueModel::State, QHeaderView::Stretch);
     m_table->horizontalHeader()->setFont(ui::font(ui::Type::Label));
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -162,10 +165,10 @@ QList<robot::TopicRange> FilesPage::topics() const { return {robot::topics::stat
 void FilesPage::showLink(const ui::LinkView &link)
 {
     Page::showLink(link);
-    const bool isUp = link.state == robot::LinkState::Monitoring;
-    m_refresh->setEnabled(isUp);
-    m_remote->setStale(!isUp);
-    if (!isUp)
+    m_isUp = link.state == robot::LinkState::Monitoring;
+    m_refresh->setEnabled(m_isUp);
+    m_remote->setStale(!m_isUp);
+    if (!m_isUp)
         m_isListed = false;
     else if (isVisible() && !m_isListed)
         refresh();
@@ -238,10 +241,9 @@ void FilesPage::onListed()
 
 void FilesPage::updateButtons()
 {
-    const bool isUp = m_context.controller.files() != nullptr;
     const auto remote = m_remote->chosen().size();
-    m_fetch->setEnabled(isUp && remote > 0);
-    m_editButton->setEnabled(isUp && remote == 1);
+    m_fetch->setEnabled(m_isUp && remote > 0);
+    m_editButton->setEnabled(m_isUp && remote == 1);
     m_send->setComplaint(m_local->chosen().isEmpty() ? tr("Choose files on the left first.") : QString());
     m_remove->setComplaint(remote == 0 ? tr("Choose files on the right first.") : QString());
 }

@@ -80,6 +80,7 @@ private:
     QString m_folder;
     QList<values::FileName> m_names; ///< What the controller listed last.
     bool m_isListed = false;
+    bool m_isUp = false;
     QList<Offer> m_offers; ///< Still to be decided about.
     std::optional<Choice> m_forAll;
 

@@ -31,6 +31,7 @@ DiffView::DiffView(const protocol::TextCodec &codec, QWidget *parent)
     m_lines->setHeaderLabels({tr("Line"), tr("Older"), tr("Line"), tr("Newer")});
     m_lines->setRootIsDecorated(false);
     m_lines->setUniformRowHeights(true);
+    m_lines->setFrameShape(QFrame::NoFrame);
     m_lines->setFont(ui::font(ui::Type::Mono));
     m_lines->header()->setStretchLastSection(true);
     m_lines->header()->setFont(ui::font(ui::Type::Label));

@@ -141,6 +141,7 @@ void TestFilePages::asksBeforeItReplaces()
     QTest::mouseClick(find<QPushButton>(dialog, "keepBoth"), Qt::LeftButton);
     QTRY_VERIFY(QFile::exists(desk.local("HOME (2).JBI")));
     QCOMPARE(files::readFile(desk.local("HOME.JBI")).value_or("?"), "mine");
+    QTRY_VERIFY(desk.window.controller().linkState() == robot::LinkState::Monitoring);
     desk.picture(&desk.window, "panes");
 }
 

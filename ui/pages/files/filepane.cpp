@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/files/filepane.h"
 
+#include "ui/widgets/rowdelegate.h"
 #include <QDropEvent>
 #include <QListWidget>
 
@@ -22,6 +23,7 @@ FilePane::FilePane(const QString &title, const QString &name, QWidget *parent)
     m_list->setAccessibleName(title);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setUniformItemSizes(true);
+    widgets::RowDelegate::dress(m_list);
     m_list->setDragDropMode(QAbstractItemView::DragDrop);
     m_list->setDefaultDropAction(Qt::CopyAction);
     m_list->viewport()->installEventFilter(this);
