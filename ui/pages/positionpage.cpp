@@ -129,15 +129,18 @@ void PositionPage::showGroups()
 {
     QList<values::ControlGroup> groups;
     int refused = 0;
+    int all = 0;
     for (const TopicRange &range : groupRanges(m_profile.dialect())) {
         for (quint16 number = range.first; number <= range.last; ++number) {
             const auto freshness = m_state.freshness({Kind::AxisNames, number});
             if (freshness == Freshness::Live || freshness == Freshness::Stale)
                 groups << values::ControlGroup {number};
             refused += freshness == Freshness::Refused;
+            ++all;
         }
     }
-    m_note->setText(refused == 0 ? QString() : tr("%n control group(s) are refused and not shown.", nullptr, refused));
+    m_note->setText(
+        refused == 0 ? QString() : tr("Not shown because refused: %1 of %2 control groups.").arg(refused).arg(all));
     if (groups.isEmpty())
         groups << values::ControlGroup::robotPulse(1);
     if (groups != m_groups) {

@@ -37,9 +37,11 @@ constexpr int usualSpan = 1;
 
 QString spanText(std::chrono::seconds span)
 {
-    return span < 60s ? TrendPage::tr("%n seconds", nullptr, int(span.count()))
-                      : TrendPage::tr("%n minute(s)", nullptr, int(span.count() / 60));
+    return span < 60s ? TrendPage::tr("%1 s").arg(span.count()) : TrendPage::tr("%1 min").arg(span.count() / 60);
 }
+
+/// A view without a ground of its own.
+void setOnCard(QAbstractItemView *view) { view->viewport()->setAutoFillBackground(false); }
 
 QPushButton *button(const char *name, const QString &words)
 {
@@ -150,6 +152,7 @@ QWidget *TrendPage::trackCard()
     m_table->setModel(m_model);
     m_table->setShowGrid(false);
     m_table->setFrameShape(QFrame::NoFrame);
+    setOnCard(m_table);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
     m_table->setMinimumHeight(3 * rowHeight);
@@ -178,8 +181,15 @@ QWidget *TrendPage::incidentCard()
     m_list->setAccessibleName(tr("Incidents"));
     m_list->setModel(m_incidents);
     m_list->setFrameShape(QFrame::NoFrame);
+    setOnCard(m_list);
     m_list->setMinimumHeight(3 * rowHeight);
     auto *openButton = button("openIncident", tr("Open incident"));
+    auto *none = widgets::sentence(tr("No alarm has been recorded yet."), ui::Role::Text2);
+    none->setObjectName(QStringLiteral("noIncidents"));
+    const auto showNone = [this, none] { none->setVisible(m_incidents->rowCount() == 0); };
+    connect(m_incidents, &QAbstractItemModel::rowsInserted, none, showNone);
+    showNone();
+    card->body()->addWidget(none);
     card->body()->addWidget(m_list, 1);
     card->body()->addWidget(openButton, 0, Qt::AlignLeft);
     const auto open = [this] {
@@ -222,6 +232,7 @@ QList<robot::TopicRange> TrendPage::topics() const
 void TrendPage::showLink(const ui::LinkView &link)
 {
     Page::showLink(link);
+    m_isLinkUp = link.state == robot::LinkState::Monitoring;
     refreshNote();
 }
 
@@ -259,6 +270,8 @@ void TrendPage::refreshNote()
                 .arg(trend::toLocalTime(m_incident->at).toString(u"yyyy-MM-dd HH:mm:ss"), m_incident->title));
     else if (m_pausedAt)
         m_card->setNote(tr("Paused at %1; recording goes on").arg(clock(*m_pausedAt)));
+    else if (!m_isLinkUp)
+        m_card->setNote(tr("Nothing is recorded: no communication"));
     else if (cursor)
         m_card->setNote(tr("Live; values of %1").arg(clock(*cursor)));
     else

@@ -67,6 +67,7 @@ private:
     const settings::Profile &m_profile;
     std::optional<trend::Incident> m_incident; ///< Shown instead of the recorder's tracks.
     std::optional<trend::Moment> m_pausedAt;
+    bool m_isLinkUp = false;
     models::TrackModel *m_model;
     models::IncidentModel *m_incidents;
     widgets::Plot *m_plot;

@@ -146,9 +146,9 @@ void ToolPathView::paintFrame(QPainter &painter) const
     painter.setFont(ui::font(ui::Type::Label));
     painter.setPen(ui::color(ui::Role::Text2, this));
     const QRect line(8, 4, width() - 16, 18);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, title(m_side));
-    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
-        m_staleNote.isEmpty() ? tr("%1 →  %2 ↑").arg(axisName(right), axisName(up)) : m_staleNote);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+        tr("%1  ·  %2 →  %3 ↑").arg(title(m_side), axisName(right), axisName(up)));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, m_staleNote);
 }
 
 void ToolPathView::paintPath(QPainter &painter) const

@@ -13,6 +13,7 @@
 #include "virtualcontroller/alarms.h"
 #include <QAbstractItemModelTester>
 #include <QComboBox>
+#include <QDir>
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QListView>
@@ -105,6 +106,8 @@ private Q_SLOTS:
     void hiddenReadsNothing();
     void signalsOfADialect();
     void modelsBehave();
+    void pictures_data();
+    void pictures();
 };
 
 void TrendPageTest::beginsWithAHint()
@@ -112,6 +115,7 @@ void TrendPageTest::beginsWithAHint()
     Desk desk;
     QVERIFY(desk.open());
     QVERIFY(desk.find<QLabel>("trendHint")->isVisible());
+    QVERIFY(desk.find<QLabel>("noIncidents")->isVisible());
     desk.drop({servo});
     QVERIFY(!desk.find<QLabel>("trendHint")->isVisible());
 }
@@ -382,6 +386,46 @@ void TrendPageTest::modelsBehave()
     QCOMPARE(filter.rowCount(), 1);
     filter.search({});
     QCOMPARE(filter.rowCount(), 2);
+}
+
+void TrendPageTest::pictures_data()
+{
+    QTest::addColumn<int>("scene");
+    QTest::newRow("live") << 0;
+    QTest::newRow("stale") << 1;
+    QTest::newRow("incident") << 2;
+}
+
+/// What a person sees with something plotted, to be looked at.
+void TrendPageTest::pictures()
+{
+    QFETCH(int, scene);
+    Desk desk;
+    desk.window.resize(1440, 900);
+    QVERIFY(desk.open());
+    desk.drop({{{Kind::Position, 101}, 0}, {{Kind::Position, 101}, 2}, torque, {{Kind::Torque, 1}, 1}, servo,
+        {{Kind::Job, 0}, 0}});
+    desk.find<QComboBox>("trendSpan")->setCurrentIndex(0);
+    QTRY_VERIFY(desk.recorder().tracks()[0]->series.count() > 25);
+    if (scene == 1) {
+        desk.stopController();
+        QTRY_VERIFY(desk.recorder().tracks()[2]->series.back().isGap());
+    }
+    if (scene == 2) {
+        QVERIFY(desk.keepIncident());
+        desk.page()->openIncident(desk.recorder().archive().incidents().front());
+    }
+    desk.find<widgets::Plot>("trendPlot")->setCursor(widgets::PlotCursor {0.97});
+    QVERIFY(QDir().mkpath(QStringLiteral(PENDESK_PICTURES)));
+    for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
+        ui::apply(*qApp, scheme);
+        QCoreApplication::sendPostedEvents();
+        const QString word = scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
+        QVERIFY(desk.window.grab().save(
+            QStringLiteral("%1/trend-%2-%3.png")
+                .arg(QStringLiteral(PENDESK_PICTURES), QLatin1String(QTest::currentDataTag()), word)));
+    }
+    ui::apply(*qApp, ui::Scheme::Light);
 }
 
 int main(int argc, char *argv[])
