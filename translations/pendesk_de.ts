@@ -1,4 +1,6273 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
+    <context>
+        <name>Actions</name>
+        <message>
+            <source> or </source>
+            <translation> oder </translation>
+        </message>
+    </context>
+    <context>
+        <name>Alarms</name>
+        <message>
+            <source>Major</source>
+            <translation>Schwer</translation>
+        </message>
+        <message>
+            <source>Minor</source>
+            <translation>Leicht</translation>
+        </message>
+        <message>
+            <source>User, system</source>
+            <translation>Benutzer, System</translation>
+        </message>
+        <message>
+            <source>User</source>
+            <translation>Benutzer</translation>
+        </message>
+        <message>
+            <source>Off-line</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>◆ unacknowledged</source>
+            <translation>◆ unquittiert</translation>
+        </message>
+        <message>
+            <source>■ acknowledged</source>
+            <translation>■ quittiert</translation>
+        </message>
+        <message>
+            <source>▲ cleared, unacknowledged</source>
+            <translation>▲ behoben, unquittiert</translation>
+        </message>
+        <message>
+            <source>□ cleared</source>
+            <translation>□ behoben</translation>
+        </message>
+        <message>
+            <source>No sub code.</source>
+            <translation>Kein Untercode.</translation>
+        </message>
+        <message>
+            <source>%1: %2. As sent: %3, type %4.</source>
+            <translation>%1: %2. Wie gesendet: %3, Typ %4.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Conditions</name>
+        <message>
+            <source>%1: %2.</source>
+            <comment>what is wrong: what helps</comment>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>met</source>
+            <translation>erfüllt</translation>
+        </message>
+        <message>
+            <source>not met</source>
+            <translation>nicht erfüllt</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>noch nicht gelesen</translation>
+        </message>
+        <message>
+            <source>cannot be read over HSES</source>
+            <translation>über HSES nicht lesbar</translation>
+        </message>
+        <message>
+            <source>%1: %2.</source>
+            <comment>what was tried: how it ended</comment>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>Scharf schalten</translation>
+        </message>
+        <message>
+            <source>Reset alarm</source>
+            <translation>Alarm zurücksetzen</translation>
+        </message>
+        <message>
+            <source>Cancel error</source>
+            <translation>Fehler löschen</translation>
+        </message>
+        <message>
+            <source>Write a signal</source>
+            <translation>Ein Signal schreiben</translation>
+        </message>
+        <message>
+            <source>Write a register</source>
+            <translation>Ein Register schreiben</translation>
+        </message>
+        <message>
+            <source>Write a variable</source>
+            <translation>Eine Variable schreiben</translation>
+        </message>
+        <message>
+            <source>Select a job</source>
+            <translation>Einen Job wählen</translation>
+        </message>
+        <message>
+            <source>Select a master job</source>
+            <translation>Einen Masterjob wählen</translation>
+        </message>
+        <message>
+            <source>Start the job</source>
+            <translation>Den Job starten</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (Software)</translation>
+        </message>
+        <message>
+            <source>Release HOLD</source>
+            <translation>HOLD aufheben</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>Servo ein</translation>
+        </message>
+        <message>
+            <source>Servo off</source>
+            <translation>Servo aus</translation>
+        </message>
+        <message>
+            <source>HLOCK on</source>
+            <translation>HLOCK ein</translation>
+        </message>
+        <message>
+            <source>HLOCK off</source>
+            <translation>HLOCK aus</translation>
+        </message>
+        <message>
+            <source>Select the cycle mode</source>
+            <translation>Zyklusart wählen</translation>
+        </message>
+        <message>
+            <source>Show a message on the pendant</source>
+            <translation>Meldung auf dem Programmierhandgerät zeigen</translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation>Bewegen</translation>
+        </message>
+        <message>
+            <source>Jog</source>
+            <translation>Tippbetrieb</translation>
+        </message>
+        <message>
+            <source>Send a file to the controller</source>
+            <translation>Eine Datei an die Steuerung senden</translation>
+        </message>
+        <message>
+            <source>Get a file from the controller</source>
+            <translation>Eine Datei von der Steuerung holen</translation>
+        </message>
+        <message>
+            <source>Delete a file on the controller</source>
+            <translation>Eine Datei auf der Steuerung löschen</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>Eine Sicherung zurückspielen</translation>
+        </message>
+        <message>
+            <source>Monitor</source>
+            <translation>Beobachten</translation>
+        </message>
+        <message>
+            <source>Operate</source>
+            <translation>Bedienen</translation>
+        </message>
+        <message>
+            <source>Engineer</source>
+            <translation>Einrichten</translation>
+        </message>
+        <message>
+            <source>disarmed by hand</source>
+            <translation>von Hand unscharf geschaltet</translation>
+        </message>
+        <message>
+            <source>nobody used key or mouse for a minute</source>
+            <translation>eine Minute lang wurden weder Tastatur noch Maus benutzt</translation>
+        </message>
+        <message>
+            <source>another program came to the front</source>
+            <translation>ein anderes Programm kam in den Vordergrund</translation>
+        </message>
+        <message>
+            <source>the screen was locked</source>
+            <translation>der Bildschirm wurde gesperrt</translation>
+        </message>
+        <message>
+            <source>communication was lost</source>
+            <translation>die Kommunikation ging verloren</translation>
+        </message>
+        <message>
+            <source>the mode changed at the controller</source>
+            <translation>die Betriebsart wurde an der Steuerung gewechselt</translation>
+        </message>
+        <message>
+            <source>an alarm came up</source>
+            <translation>ein Alarm ist aufgetreten</translation>
+        </message>
+        <message>
+            <source>the access level fell back</source>
+            <translation>die Zugriffsstufe fiel zurück</translation>
+        </message>
+        <message>
+            <source>the controller or its profile was changed</source>
+            <translation>die Steuerung oder ihr Profil wurde gewechselt</translation>
+        </message>
+        <message>
+            <source>another window came to the front</source>
+            <translation>ein anderes Fenster kam in den Vordergrund</translation>
+        </message>
+        <message>
+            <source>another controller was armed</source>
+            <translation>eine andere Steuerung wurde scharf geschaltet</translation>
+        </message>
+    </context>
+    <context>
+        <name>LinkView</name>
+        <message>
+            <source>checking</source>
+            <translation>wird geprüft</translation>
+        </message>
+        <message>
+            <source>live</source>
+            <translation>live</translation>
+        </message>
+        <message>
+            <source>communication lost</source>
+            <translation>Kommunikation verloren</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>nicht verbunden</translation>
+        </message>
+    </context>
+    <context>
+        <name>Messages</name>
+        <message>
+            <source>Diagnose…</source>
+            <translation>Diagnose…</translation>
+        </message>
+        <message>
+            <source>HOLD not confirmed: use the pendant.</source>
+            <translation>HOLD nicht bestätigt: Programmierhandgerät benutzen.</translation>
+        </message>
+        <message>
+            <source>HOLD was refused: %1. Use the pendant.</source>
+            <translation>HOLD wurde abgelehnt: %1. Programmierhandgerät benutzen.</translation>
+        </message>
+        <message>
+            <source>HOLD sent…</source>
+            <translation>HOLD gesendet…</translation>
+        </message>
+        <message>
+            <source>No contact with %1 yet: %2. Checking goes on by itself.</source>
+            <translation>Noch kein Kontakt zu %1: %2. Die Prüfung läuft von selbst weiter.</translation>
+        </message>
+        <message>
+            <source>Checking %1: waiting for system information and status.</source>
+            <translation>%1 wird geprüft: warten auf Systeminformationen und Status.</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1 — showing the last values read. Reading resumes by itself.</source>
+            <translation>Kommunikation um %1 verloren — angezeigt werden die zuletzt gelesenen Werte. Das Lesen läuft von selbst wieder an.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Communication restored at %1. Lost %n time(s) since connecting.</source>
+            <translation>
+                <numerusform>Kommunikation um %1 wiederhergestellt. Seit dem Verbinden %n-mal verloren.</numerusform>
+                <numerusform>Kommunikation um %1 wiederhergestellt. Seit dem Verbinden %n-mal verloren.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>HOLD confirmed: the status says held by command.</source>
+            <translation>HOLD bestätigt: laut Status durch Befehl gehalten.</translation>
+        </message>
+        <message>
+            <source>HOLD was not sent: there is no connection to a controller. Use the pendant.</source>
+            <translation>HOLD wurde nicht gesendet: Es besteht keine Verbindung zu einer Steuerung. Programmierhandgerät benutzen.</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>Verbinden…</translation>
+        </message>
+    </context>
+    <context>
+        <name>OrderRecords</name>
+        <message>
+            <source>✓ done</source>
+            <translation>✓ erledigt</translation>
+        </message>
+        <message>
+            <source>✗ refused</source>
+            <translation>✗ abgelehnt</translation>
+        </message>
+        <message>
+            <source>▲ unknown</source>
+            <translation>▲ unbekannt</translation>
+        </message>
+        <message>
+            <source>□ not sent</source>
+            <translation>□ nicht gesendet</translation>
+        </message>
+    </context>
+    <context>
+        <name>QFileDialog</name>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>Kommagetrennte Werte (*.csv)</translation>
+        </message>
+        <message>
+            <source>JSON (*.json)</source>
+            <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Shown</name>
+        <message>
+            <source>Not read yet.</source>
+            <translation>Noch nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>Refused: %1</source>
+            <translation>Abgelehnt: %1</translation>
+        </message>
+        <message>
+            <source>Last seen %1</source>
+            <translation>Zuletzt gesehen %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Words</name>
+        <message>
+            <source>HELD</source>
+            <translation>GEHALTEN</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>nein</translation>
+        </message>
+        <message>
+            <source>PENDANT</source>
+            <translation>HANDGERÄT</translation>
+        </message>
+        <message>
+            <source>EXTERNAL</source>
+            <translation>EXTERN</translation>
+        </message>
+        <message>
+            <source>COMMAND</source>
+            <translation>BEFEHL</translation>
+        </message>
+        <message>
+            <source>TEACH</source>
+            <translation>TEACH</translation>
+        </message>
+        <message>
+            <source>PLAY</source>
+            <translation>PLAY</translation>
+        </message>
+        <message>
+            <source>NO MODE</source>
+            <translation>KEIN MODUS</translation>
+        </message>
+        <message>
+            <source>REMOTE %1</source>
+            <translation>REMOTE %1</translation>
+        </message>
+        <message>
+            <source>STEP</source>
+            <translation>SCHRITT</translation>
+        </message>
+        <message>
+            <source>1 CYCLE</source>
+            <translation>1 ZYKLUS</translation>
+        </message>
+        <message>
+            <source>CONTINUOUS</source>
+            <translation>DAUERLAUF</translation>
+        </message>
+        <message>
+            <source>NO CYCLE</source>
+            <translation>KEIN ZYKLUS</translation>
+        </message>
+        <message>
+            <source>RUNNING</source>
+            <translation>LÄUFT</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>steht</translation>
+        </message>
+        <message>
+            <source>ON</source>
+            <translation>EIN</translation>
+        </message>
+        <message>
+            <source>OFF</source>
+            <translation>AUS</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keiner</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>aus</translation>
+        </message>
+        <message>
+            <source>ALARM</source>
+            <translation>ALARM</translation>
+        </message>
+        <message>
+            <source>ERROR</source>
+            <translation>FEHLER</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>Alarm</translation>
+        </message>
+        <message>
+            <source>error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>gehalten</translation>
+        </message>
+        <message>
+            <source>contradictory</source>
+            <translation>widersprüchlich</translation>
+        </message>
+        <message>
+            <source>running</source>
+            <translation>läuft</translation>
+        </message>
+        <message>
+            <source>idle</source>
+            <translation>untätig</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>line %1 · step %2 · %3</source>
+            <translation>Zeile %1 · Schritt %2 · %3</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>pulses</source>
+            <translation>Impulse</translation>
+        </message>
+        <message>
+            <source>%1 ms</source>
+            <translation>%1 ms</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::AccessSettingsDialog</name>
+        <message>
+            <source>Passcode and idle time</source>
+            <translation>Kennwort und Ruhezeit</translation>
+        </message>
+        <message>
+            <source> min</source>
+            <translation> min</translation>
+        </message>
+        <message>
+            <source>Back to Monitor after</source>
+            <translation>Zurück zu Beobachten nach</translation>
+        </message>
+        <message>
+            <source>New passcode</source>
+            <translation>Neues Kennwort</translation>
+        </message>
+        <message>
+            <source>The same again</source>
+            <translation>Noch einmal dasselbe</translation>
+        </message>
+        <message>
+            <source>Leave both empty for no passcode.</source>
+            <translation>Für kein Kennwort beide leer lassen.</translation>
+        </message>
+        <message>
+            <source>The two are not the same.</source>
+            <translation>Die beiden stimmen nicht überein.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ApplyDialog</name>
+        <message>
+            <source>Variable</source>
+            <translation>Variable</translation>
+        </message>
+        <message>
+            <source>Old value</source>
+            <translation>Alter Wert</translation>
+        </message>
+        <message>
+            <source>New value</source>
+            <translation>Neuer Wert</translation>
+        </message>
+        <message>
+            <source>Apply — %1</source>
+            <translation>Anwenden — %1</translation>
+        </message>
+        <message>
+            <source>What will be written</source>
+            <translation>Was geschrieben wird</translation>
+        </message>
+        <message numerus="yes">
+            <source>Write %n value(s)</source>
+            <translation>
+                <numerusform>%n Wert schreiben</numerusform>
+                <numerusform>%n Werte schreiben</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Write %n value(s) to %1</source>
+            <translation>
+                <numerusform>%n Wert nach %1 schreiben</numerusform>
+                <numerusform>%n Werte nach %1 schreiben</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Each is written once and read back. What does not read back as it was written stays here and is marked.</source>
+            <translation>Jeder Wert wird einmal geschrieben und zurückgelesen. Was nicht wie geschrieben zurückkommt, bleibt hier stehen und wird markiert.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::CompareDialog</name>
+        <message>
+            <source>Both are the same, byte for byte.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ConnectionDialog</name>
+        <message>
+            <source>Duplicate</source>
+            <translation>Duplizieren</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Speichern</translation>
+        </message>
+        <message>
+            <source>Connect</source>
+            <translation>Verbinden</translation>
+        </message>
+        <message>
+            <source>Connect to a controller</source>
+            <translation>Mit einer Steuerung verbinden</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Known controllers</source>
+            <translation>Bekannte Steuerungen</translation>
+        </message>
+        <message>
+            <source>CONTROLLERS</source>
+            <translation>STEUERUNGEN</translation>
+        </message>
+        <message>
+            <source>Connecting only reads. HOLD: Pause key.</source>
+            <translation>Beim Verbinden wird nur gelesen. HOLD: Pause-Taste.</translation>
+        </message>
+        <message>
+            <source>There is another controller with the name “%1”.</source>
+            <translation>Es gibt schon eine andere Steuerung mit dem Namen „%1“.</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>New controller</source>
+            <translation>Neue Steuerung</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::DiagnosisDialog</name>
+        <message>
+            <source>Diagnosis — %1</source>
+            <translation>Diagnose — %1</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>Diagnose kopieren</translation>
+        </message>
+        <message>
+            <source>The diagnosis is not finished yet.</source>
+            <translation>Die Diagnose ist noch nicht fertig.</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>It only reads. HOLD works meanwhile: Pause key.</source>
+            <translation>Sie liest nur. HOLD bleibt dabei möglich: Pause-Taste.</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>Kopiert</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ImportDialog</name>
+        <message>
+            <source>Take over values — %1</source>
+            <translation>Werte übernehmen — %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>Stage %n value(s)</source>
+            <translation>
+                <numerusform>%n Wert vormerken</numerusform>
+                <numerusform>%n Werte vormerken</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n value(s) would change</source>
+            <translation>
+                <numerusform>%n Wert würde sich ändern</numerusform>
+                <numerusform>%n Werte würden sich ändern</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n value(s) are there already. Staging sends nothing to the controller.</source>
+            <translation>
+                <numerusform>%n Wert ist bereits so vorhanden. Beim Vormerken wird nichts an die Steuerung gesendet.</numerusform>
+                <numerusform>%n Werte sind bereits so vorhanden. Beim Vormerken wird nichts an die Steuerung gesendet.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) cannot be read, so nothing is taken over:</source>
+            <translation>
+                <numerusform>%n Zeile ist nicht lesbar, deshalb wird nichts übernommen:</numerusform>
+                <numerusform>%n Zeilen sind nicht lesbar, deshalb wird nichts übernommen:</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Zeile</translation>
+        </message>
+        <message>
+            <source>What is wrong</source>
+            <translation>Was nicht stimmt</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>Variable</translation>
+        </message>
+        <message>
+            <source>Old value</source>
+            <translation>Alter Wert</translation>
+        </message>
+        <message>
+            <source>New value</source>
+            <translation>Neuer Wert</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::IoWriteDialog</name>
+        <message>
+            <source>Write %1 — %2</source>
+            <translation>%1 schreiben — %2</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>Jetzt</translation>
+        </message>
+        <message>
+            <source>Will be</source>
+            <translation>Künftig</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>The eight signals #%1 to #%2 travel together: all of them are written as they stand here.</source>
+            <translation>Die acht Signale #%1 bis #%2 werden zusammen übertragen: Alle werden so geschrieben, wie sie hier stehen.</translation>
+        </message>
+        <message>
+            <source>The group is being read…</source>
+            <translation>Die Gruppe wird gelesen…</translation>
+        </message>
+        <message>
+            <source>Written once, then read back.</source>
+            <translation>Einmal geschrieben, dann zurückgelesen.</translation>
+        </message>
+        <message>
+            <source>Another of the eight has changed meanwhile. Nothing was sent: look again.</source>
+            <translation>Ein anderes der acht Signale hat sich inzwischen geändert. Es wurde nichts gesendet: bitte erneut prüfen.</translation>
+        </message>
+        <message>
+            <source>Being written…</source>
+            <translation>Wird geschrieben…</translation>
+        </message>
+        <message>
+            <source>Written, and read back as it was written.</source>
+            <translation>Geschrieben und wie geschrieben zurückgelesen.</translation>
+        </message>
+        <message>
+            <source>Accepted, but another value was read back: %1. Something else writes these signals.</source>
+            <translation>Angenommen, aber ein anderer Wert wurde zurückgelesen: %1. Etwas anderes schreibt diese Signale.</translation>
+        </message>
+        <message>
+            <source>Switch on</source>
+            <translation>Einschalten</translation>
+        </message>
+        <message>
+            <source>Switch off</source>
+            <translation>Ausschalten</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::JobEditor</name>
+        <message>
+            <source>Edit “%1”</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Text of the file</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compare and send…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The controller's encoding lacks a character of this text.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::LadderView</name>
+        <message>
+            <source>passed</source>
+            <translation>bestanden</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>fehlgeschlagen</translation>
+        </message>
+        <message>
+            <source>not reached</source>
+            <translation>nicht erreicht</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, diagnosis of %2 (%3)</source>
+            <translation>Pendesk %1, Diagnose von %2 (%3)</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::NumberingDialog</name>
+        <message>
+            <source>Variable numbering — %1</source>
+            <translation>Variablennummerierung — %1</translation>
+        </message>
+        <message>
+            <source>Number of the variable</source>
+            <translation>Nummer der Variablen</translation>
+        </message>
+        <message>
+            <source>Value on the pendant</source>
+            <translation>Wert auf dem Programmierhandgerät</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>noch nicht gelesen</translation>
+        </message>
+        <message>
+            <source>reads on the pendant</source>
+            <translation>hat auf dem Programmierhandgerät</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Vergleichen</translation>
+        </message>
+        <message>
+            <source>Keep the result</source>
+            <translation>Ergebnis behalten</translation>
+        </message>
+        <message>
+            <source>Which number is which?</source>
+            <translation>Welche Nummer ist welche?</translation>
+        </message>
+        <message>
+            <source>Parameter RS022 decides whether B000 is number 0 or number 1 on the network. Until that is known, a write could hit the neighbour, so none is sent. Read two variables on the pendant (main menu, VARIABLE, BYTE) and enter what you see. This test only reads.</source>
+            <translation>Der Parameter RS022 legt fest, ob B000 im Netzwerk die Nummer 0 oder 1 hat. Solange das nicht bekannt ist, könnte ein Schreibvorgang die Nachbarvariable treffen; deshalb wird keiner gesendet. Lesen Sie zwei Variablen auf dem Programmierhandgerät ab (Hauptmenü, VARIABLE, BYTE) und geben Sie ein, was Sie sehen. Dieser Test liest nur.</translation>
+        </message>
+        <message>
+            <source>The variables could not be read: %1.</source>
+            <translation>Die Variablen konnten nicht gelesen werden: %1.</translation>
+        </message>
+        <message>
+            <source>All B variables hold the same value, which proves nothing: let a job or the pendant set B010 to 1 and B011 to 2, then open this test again.</source>
+            <translation>Alle B-Variablen haben denselben Wert, das beweist nichts: Setzen Sie B010 durch einen Job oder am Programmierhandgerät auf 1 und B011 auf 2, und öffnen Sie diesen Test dann erneut.</translation>
+        </message>
+        <message>
+            <source>These two tell the numberings apart.</source>
+            <translation>Mit diesen beiden lassen sich die Nummerierungen unterscheiden.</translation>
+        </message>
+        <message>
+            <source>Verified: number 0 on the network is B000.</source>
+            <translation>Geprüft: Nummer 0 im Netzwerk ist B000.</translation>
+        </message>
+        <message>
+            <source>Verified, shifted: number 1 on the network is B000.</source>
+            <translation>Geprüft, verschoben: Nummer 1 im Netzwerk ist B000.</translation>
+        </message>
+        <message>
+            <source>Both numberings fit these values: choose variables whose neighbours hold other values.</source>
+            <translation>Beide Nummerierungen passen zu diesen Werten: Wählen Sie Variablen, deren Nachbarn andere Werte haben.</translation>
+        </message>
+        <message>
+            <source>Neither numbering fits: read the values again, they may have changed.</source>
+            <translation>Keine der Nummerierungen passt: Lesen Sie die Werte erneut ab, sie haben sich vielleicht geändert.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::OverwriteDialog</name>
+        <message numerus="yes">
+            <source>For the remaining %n file(s) too</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>“%1” exists</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There is a file “%1” %2 already.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Compare…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Replace</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Keep both</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Skip</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::PasscodeDialog</name>
+        <message>
+            <source>The passcode guards against mistakes, not against attackers: whoever can change this user's files can remove it.</source>
+            <translation>Das Kennwort schützt vor Versehen, nicht vor Angriffen: Wer die Dateien dieses Benutzers ändern kann, kann es entfernen.</translation>
+        </message>
+        <message>
+            <source>Access level: %1</source>
+            <translation>Zugriffsstufe: %1</translation>
+        </message>
+        <message>
+            <source>Passcode</source>
+            <translation>Kennwort</translation>
+        </message>
+        <message>
+            <source>That is not the passcode.</source>
+            <translation>Das ist nicht das Kennwort.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::PositionDialog</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Typ</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Vormerken</translation>
+        </message>
+        <message>
+            <source>%1 or %2</source>
+            <translation>%1 oder %2</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>Werkzeug</translation>
+        </message>
+        <message>
+            <source>User frame</source>
+            <translation>Benutzerkoordinatensystem</translation>
+        </message>
+        <message>
+            <source>Take the present position of R1 (base frame)</source>
+            <translation>Aktuelle Position von R1 übernehmen (Basiskoordinatensystem)</translation>
+        </message>
+        <message>
+            <source>Take R1 in pulses</source>
+            <translation>R1 in Impulsen übernehmen</translation>
+        </message>
+        <message>
+            <source>Take the present position of B1 (base frame)</source>
+            <translation>Aktuelle Position von B1 übernehmen (Basiskoordinatensystem)</translation>
+        </message>
+        <message>
+            <source>Take B1 in pulses</source>
+            <translation>B1 in Impulsen übernehmen</translation>
+        </message>
+        <message>
+            <source>Take the present position of S1</source>
+            <translation>Aktuelle Position von S1 übernehmen</translation>
+        </message>
+        <message>
+            <source>live: %1</source>
+            <translation>live: %1</translation>
+        </message>
+        <message>
+            <source>%1 in %2</source>
+            <translation>%1 in %2</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>axis: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>A user-frame position needs a user frame from 1 to 63.</source>
+            <translation>Eine Position im Benutzerkoordinatensystem braucht ein Benutzerkoordinatensystem von 1 bis 63.</translation>
+        </message>
+        <message>
+            <source>Sources disagree which code means user and which means tool frame: check on the pendant before a job uses this position.</source>
+            <translation>Die Quellen sind sich nicht einig, welcher Code das Benutzer- und welcher das Werkzeugkoordinatensystem bedeutet: Auf dem Programmierhandgerät prüfen, bevor ein Job diese Position benutzt.</translation>
+        </message>
+        <message>
+            <source>The position is being read…</source>
+            <translation>Die Position wird gelesen…</translation>
+        </message>
+        <message>
+            <source>The position could not be read: %1.</source>
+            <translation>Die Position konnte nicht gelesen werden: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ProfileForm</name>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Host name or address</source>
+            <translation>Hostname oder Adresse</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Modell</translation>
+        </message>
+        <message>
+            <source>Text encoding</source>
+            <translation>Textkodierung</translation>
+        </message>
+        <message>
+            <source>Variable numbering</source>
+            <translation>Variablennummerierung</translation>
+        </message>
+        <message>
+            <source>B000 is number 0 on the wire</source>
+            <translation>B000 hat im Netzwerk die Nummer 0</translation>
+        </message>
+        <message>
+            <source>B000 is number 1 on the wire</source>
+            <translation>B000 hat im Netzwerk die Nummer 1</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>Port</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>Dateiport</translation>
+        </message>
+        <message>
+            <source>Read time-out</source>
+            <translation>Zeitlimit Lesen</translation>
+        </message>
+        <message>
+            <source> ms</source>
+            <translation> ms</translation>
+        </message>
+        <message>
+            <source>File time-out</source>
+            <translation>Zeitlimit Dateien</translation>
+        </message>
+        <message>
+            <source>Servo time-out</source>
+            <translation>Zeitlimit Servo</translation>
+        </message>
+        <message>
+            <source>Repeats of a read</source>
+            <translation>Wiederholungen beim Lesen</translation>
+        </message>
+        <message>
+            <source>Requests outstanding at once</source>
+            <translation>Gleichzeitig offene Anfragen</translation>
+        </message>
+        <message>
+            <source>Requests a second, at most</source>
+            <translation>Anfragen pro Sekunde, höchstens</translation>
+        </message>
+        <message>
+            <source>From %1 to %2</source>
+            <translation>Von %1 bis %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::RestoreDialog</name>
+        <message>
+            <source>Put that file back</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+        <message>
+            <source>Restore %1 from %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What would be done</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>File</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What is done</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A fresh backup of %1 is made first. Then the files below are sent one by one and read back. It stops at the first error.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>+ new: it is sent</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>≠ changed: it is replaced</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>= same: left alone</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ not allowed: left alone</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Back up, then restore %n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) are the same and not listed.</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Sending file %1 of %2…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Fresh backup: file %1 of %2…</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) were restored and read back.</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) were restored before that.</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>It was cancelled.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Stopped at %1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Nothing was sent.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The file is as it was before.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ The file could not be put back. Look at the controller.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ShortcutsDialog</name>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>Tastenkürzel</translation>
+        </message>
+        <message>
+            <source>Page: %1</source>
+            <translation>Seite: %1</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>Menü</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::SignalPicker</name>
+        <message>
+            <source>Add a signal</source>
+            <translation>Signal hinzufügen</translation>
+        </message>
+        <message>
+            <source>For example: R1 torque, B005, #00010, M012</source>
+            <translation>Zum Beispiel: R1 Drehmoment, B005, #00010, M012</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>Signale</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::StartSheet</name>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Start at %1</source>
+            <translation>Start an %1</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Steuerung</translation>
+        </message>
+        <message>
+            <source>Job</source>
+            <translation>Job</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>Ab Zeile</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>Geschwindigkeits-Override</translation>
+        </message>
+        <message>
+            <source>HOLD: Pause key</source>
+            <translation>HOLD: Pause-Taste</translation>
+        </message>
+        <message>
+            <source>The robot will move</source>
+            <translation>Der Roboter wird sich bewegen</translation>
+        </message>
+        <message>
+            <source>With the keyboard: type %1, then F9</source>
+            <translation>Mit der Tastatur: %1 eingeben, dann F9</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+        <message>
+            <source>Start sent…</source>
+            <translation>Start gesendet…</translation>
+        </message>
+        <message>
+            <source>Accepted. Waiting for RUN…</source>
+            <translation>Angenommen. Warten auf RUN…</translation>
+        </message>
+        <message>
+            <source>RUN: the job is running.</source>
+            <translation>RUN: Der Job läuft.</translation>
+        </message>
+        <message>
+            <source>The start was accepted, but no RUN was seen for 3 s. Usual causes: the job was so short that it has ended, it waits for a condition of the cell, or the pendant shows a question. Look at the pendant.</source>
+            <translation>Der Start wurde angenommen, aber 3 s lang war kein RUN zu sehen. Übliche Ursachen: Der Job war so kurz, dass er schon beendet ist, er wartet auf eine Bedingung der Zelle, oder das Programmierhandgerät zeigt eine Rückfrage. Sehen Sie auf das Programmierhandgerät.</translation>
+        </message>
+        <message>
+            <source>No answer to the start: it may or may not have happened. Reading the status…</source>
+            <translation>Keine Antwort auf den Start: Er kann ausgeführt worden sein oder auch nicht. Der Status wird gelesen…</translation>
+        </message>
+        <message>
+            <source>No answer to the start, but the status says RUN: the job is running. It was sent once.</source>
+            <translation>Keine Antwort auf den Start, aber der Status meldet RUN: Der Job läuft. Der Start wurde einmal gesendet.</translation>
+        </message>
+        <message>
+            <source>No answer to the start, and the status says no RUN. Look at the robot before you start again.</source>
+            <translation>Keine Antwort auf den Start, und der Status meldet kein RUN. Sehen Sie nach dem Roboter, bevor Sie erneut starten.</translation>
+        </message>
+        <message>
+            <source>No answer to the start, and none to the status: whether the robot runs is unknown. Look at it.</source>
+            <translation>Keine Antwort auf den Start und keine auf die Statusabfrage: Ob der Roboter läuft, ist unbekannt. Sehen Sie nach ihm.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::WhyNotDialog</name>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>Conditions</source>
+            <translation>Bedingungen</translation>
+        </message>
+        <message>
+            <source>What must be the case</source>
+            <translation>Was erfüllt sein muss</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::JobDiff</name>
+        <message>
+            <source>%1 pulses in %2</source>
+            <translation>%1 Impulse in %2</translation>
+        </message>
+        <message>
+            <source>%1 mm in %2</source>
+            <translation>%1 mm in %2</translation>
+        </message>
+        <message>
+            <source>%1° in %2</source>
+            <translation>%1° in %2</translation>
+        </message>
+        <message>
+            <source>%1 changed: %2 → %3</source>
+            <translation>%1 geändert: %2 → %3</translation>
+        </message>
+        <message>
+            <source>%1 moved %2</source>
+            <translation>%1 verschoben um %2</translation>
+        </message>
+        <message>
+            <source>Job name changed: “%1” → “%2”</source>
+            <translation>Jobname geändert: „%1“ → „%2“</translation>
+        </message>
+        <message>
+            <source>Comment changed: “%1” → “%2”</source>
+            <translation>Kommentar geändert: „%1“ → „%2“</translation>
+        </message>
+        <message>
+            <source>Attributes changed: %1 → %2</source>
+            <translation>Attribute geändert: %1 → %2</translation>
+        </message>
+        <message>
+            <source>Control groups changed: %1 → %2</source>
+            <translation>Achsgruppen geändert: %1 → %2</translation>
+        </message>
+        <message>
+            <source>%1 added: %2</source>
+            <translation>%1 hinzugefügt: %2</translation>
+        </message>
+        <message>
+            <source>%1 removed: %2</source>
+            <translation>%1 entfernt: %2</translation>
+        </message>
+        <message>
+            <source>%1 is taught otherwise: %2 → %3</source>
+            <translation>%1 ist anders geteacht: %2 → %3</translation>
+        </message>
+        <message>
+            <source>%1 %2 → %3 at line %4</source>
+            <translation>%1 %2 → %3 in Zeile %4</translation>
+        </message>
+        <message>
+            <source>Line %1: %2 → %3</source>
+            <translation>Zeile %1: %2 → %3</translation>
+        </message>
+        <message>
+            <source>Line %1 added: %2</source>
+            <translation>Zeile %1 hinzugefügt: %2</translation>
+        </message>
+        <message>
+            <source>Line %1 removed: %2</source>
+            <translation>Zeile %1 entfernt: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Preflight</name>
+        <message>
+            <source>The file is empty; HSES cannot carry it.</source>
+            <translation>Die Datei ist leer; HSES kann sie nicht übertragen.</translation>
+        </message>
+        <message>
+            <source>Controllers take no files of type “%1”.</source>
+            <translation>Steuerungen nehmen keine Dateien vom Typ „%1“ an.</translation>
+        </message>
+        <message>
+            <source>“%1” is no name for a job.</source>
+            <translation>„%1“ ist kein Name für einen Job.</translation>
+        </message>
+        <message>
+            <source>The header names the job “%1”: that job would be written.</source>
+            <translation>Der Kopf nennt den Job „%1“: Dieser Job würde geschrieben.</translation>
+        </message>
+        <message>
+            <source>This is no job: it does not have the line /JOB.</source>
+            <translation>Das ist kein Job: Die Zeile /JOB fehlt.</translation>
+        </message>
+        <message>
+            <source>The first instruction is not NOP.</source>
+            <translation>Die erste Anweisung ist nicht NOP.</translation>
+        </message>
+        <message>
+            <source>The last instruction is not END.</source>
+            <translation>Die letzte Anweisung ist nicht END.</translation>
+        </message>
+        <message>
+            <source>///NPOS does not count the positions; there are %1.</source>
+            <translation>///NPOS zählt die Positionen nicht richtig; es sind %1.</translation>
+        </message>
+        <message>
+            <source>The job is being executed.</source>
+            <translation>Der Job wird gerade ausgeführt.</translation>
+        </message>
+        <message>
+            <source>There is a control character in line %1.</source>
+            <translation>In Zeile %1 steht ein Steuerzeichen.</translation>
+        </message>
+        <message>
+            <source>Lines do not end in CR LF, from line %1 on.</source>
+            <translation>Die Zeilen enden ab Zeile %1 nicht mit CR LF.</translation>
+        </message>
+        <message>
+            <source>The last line does not end.</source>
+            <translation>Die letzte Zeile hat kein Zeilenende.</translation>
+        </message>
+        <message>
+            <source>The comment is longer than 32 bytes.</source>
+            <translation>Der Kommentar ist länger als 32 Byte.</translation>
+        </message>
+        <message>
+            <source>Line %1 has characters beyond ASCII outside of a comment.</source>
+            <translation>Zeile %1 hat außerhalb eines Kommentars Zeichen, die nicht zu ASCII gehören.</translation>
+        </message>
+        <message>
+            <source>All names in the controller become those in this file. Back them up first.</source>
+            <translation>Alle Namen in der Steuerung werden durch die in dieser Datei ersetzt. Sichern Sie sie vorher.</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Restore</name>
+        <message>
+            <source>It is not in the backup.</source>
+            <translation>Sie ist nicht in der Sicherung.</translation>
+        </message>
+        <message>
+            <source>What the controller has could not be read.</source>
+            <translation>Was die Steuerung enthält, konnte nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>In the backup it is not as it was written.</source>
+            <translation>In der Sicherung ist sie nicht so, wie sie geschrieben wurde.</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Verify</name>
+        <message>
+            <source>This is no backup: %1 is missing or of another kind.</source>
+            <translation>Das ist keine Sicherung: %1 fehlt oder ist von anderer Art.</translation>
+        </message>
+        <message>
+            <source>%1 is not as it was written.</source>
+            <translation>%1 ist nicht so, wie es geschrieben wurde.</translation>
+        </message>
+        <message>
+            <source>%1 was changed.</source>
+            <translation>%1 wurde geändert.</translation>
+        </message>
+        <message>
+            <source>%1 is missing.</source>
+            <translation>%1 fehlt.</translation>
+        </message>
+        <message>
+            <source>%1 does not belong to the backup.</source>
+            <translation>%1 gehört nicht zur Sicherung.</translation>
+        </message>
+    </context>
+    <context>
+        <name>journal::Database</name>
+        <message>
+            <source>The folder of the journal cannot be made.</source>
+            <translation>Der Ordner des Journals kann nicht angelegt werden.</translation>
+        </message>
+        <message>
+            <source>The journal was made by a newer version of Pendesk.</source>
+            <translation>Das Journal stammt von einer neueren Version von Pendesk.</translation>
+        </message>
+        <message>
+            <source>The damaged journal cannot be given another name.</source>
+            <translation>Das beschädigte Journal kann nicht umbenannt werden.</translation>
+        </message>
+    </context>
+    <context>
+        <name>journal::Store</name>
+        <message>
+            <source>The journal cannot be written: %1. Work goes on; records wait in memory.</source>
+            <translation>Das Journal kann nicht geschrieben werden: %1. Die Arbeit geht weiter; Einträge warten im Speicher.</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::ActiveAlarmModel</name>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>Code</source>
+            <translation>Code</translation>
+        </message>
+        <message>
+            <source>Sub code</source>
+            <translation>Untercode</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Text</translation>
+        </message>
+        <message>
+            <source>Controller time</source>
+            <translation>Zeit der Steuerung</translation>
+        </message>
+        <message>
+            <source>First seen</source>
+            <translation>Zuerst gesehen</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>Anzahl</translation>
+        </message>
+        <message>
+            <source>The controller tells the newest four alarms only, and this is not one of them. It may be active.</source>
+            <translation>Die Steuerung meldet nur die vier neuesten Alarme, und dieser gehört nicht dazu. Er kann noch anstehen.</translation>
+        </message>
+        <message>
+            <source>First seen by this computer: %1</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>models::AlarmHistoryModel</name>
+        <message>
+            <source>Controller time</source>
+            <translation>Zeit der Steuerung</translation>
+        </message>
+        <message>
+            <source>List</source>
+            <translation>Liste</translation>
+        </message>
+        <message>
+            <source>Code</source>
+            <translation>Code</translation>
+        </message>
+        <message>
+            <source>Sub code</source>
+            <translation>Untercode</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Text</translation>
+        </message>
+        <message>
+            <source>Read here</source>
+            <translation>Hier gelesen</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::CodeStatisticsModel</name>
+        <message>
+            <source>Code</source>
+            <translation>Code</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>Anzahl</translation>
+        </message>
+        <message>
+            <source>Mean time between</source>
+            <translation>Mittlerer Abstand</translation>
+        </message>
+        <message>
+            <source>Last, controller time</source>
+            <translation>Zuletzt, Zeit der Steuerung</translation>
+        </message>
+        <message>
+            <source>%1 d %2 h</source>
+            <translation>%1 d %2 h</translation>
+        </message>
+        <message>
+            <source>%1 h %2 min</source>
+            <translation>%1 h %2 min</translation>
+        </message>
+        <message>
+            <source>under a minute</source>
+            <translation>unter einer Minute</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::IncidentModel</name>
+        <message>
+            <source>%1  %2</source>
+            <translation>%1  %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::IoModel</name>
+        <message>
+            <source>refused</source>
+            <translation>abgelehnt</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::JobListModel</name>
+        <message>
+            <source>%1 is being executed.</source>
+            <translation>%1 wird gerade ausgeführt.</translation>
+        </message>
+        <message>
+            <source>%1, favourite</source>
+            <translation>%1, Favorit</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::QueueModel</name>
+        <message>
+            <source>waiting</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>under way</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>abgebrochen</translation>
+        </message>
+        <message>
+            <source>▲ %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>done</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>done, read back identical</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>done, the controller reformatted %n line(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>▲ read back different</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ sent, but it could not be read back</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>← to the computer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>→ to the controller</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>✕ delete</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1/s</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>File</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Direction</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>Bytes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Rate</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Remaining</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>models::TrackModel</name>
+        <message>
+            <source>Not read at that time.</source>
+            <translation>Zu dieser Zeit nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Plot</source>
+            <translation>Kurve</translation>
+        </message>
+        <message>
+            <source>Signal</source>
+            <translation>Signal</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Einheit</translation>
+        </message>
+        <message>
+            <source>Min in view</source>
+            <translation>Min. im Bild</translation>
+        </message>
+        <message>
+            <source>Max in view</source>
+            <translation>Max. im Bild</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::VariableModel</name>
+        <message>
+            <source>Number</source>
+            <translation>Nummer</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Previous</source>
+            <translation>Vorher</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Geändert</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Notiz</translation>
+        </message>
+        <message>
+            <source>%1 (local)</source>
+            <translation>%1 (lokal)</translation>
+        </message>
+        <message>
+            <source>wrote %1, reads %2</source>
+            <translation>%1 geschrieben, %2 gelesen</translation>
+        </message>
+        <message>
+            <source>%1 → %2</source>
+            <comment>old and new value</comment>
+            <translation>%1 → %2</translation>
+        </message>
+        <message>
+            <source>not sent yet</source>
+            <translation>noch nicht gesendet</translation>
+        </message>
+        <message>
+            <source>not sent: %1</source>
+            <translation>nicht gesendet: %1</translation>
+        </message>
+        <message>
+            <source>being written…</source>
+            <translation>wird geschrieben…</translation>
+        </message>
+        <message>
+            <source>refused: %1</source>
+            <translation>abgelehnt: %1</translation>
+        </message>
+        <message>
+            <source>outcome unknown, look at the robot: %1</source>
+            <translation>Ausgang unbekannt, nach dem Roboter sehen: %1</translation>
+        </message>
+        <message>
+            <source>accepted, but another value was read back</source>
+            <translation>angenommen, aber ein anderer Wert wurde zurückgelesen</translation>
+        </message>
+        <message>
+            <source>The controller calls it “%1”.</source>
+            <translation>Die Steuerung nennt sie „%1“.</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3</source>
+            <comment>B007, value: 17</comment>
+            <translation>%1, %2: %3</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::WatchModel</name>
+        <message>
+            <source>Signal</source>
+            <translation>Signal</translation>
+        </message>
+        <message>
+            <source>In jobs</source>
+            <translation>In Jobs</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Rising edges</source>
+            <translation>Steigende Flanken</translation>
+        </message>
+        <message>
+            <source>Falling edges</source>
+            <translation>Fallende Flanken</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Geändert</translation>
+        </message>
+    </context>
+    <context>
+        <name>names::Sentences</name>
+        <message>
+            <source>The line is not a number, a comma and a name.</source>
+            <translation>Die Zeile ist nicht Nummer, Komma und Name.</translation>
+        </message>
+        <message>
+            <source>The line stands in a section that names neither signals nor variables.</source>
+            <translation>Die Zeile steht in einem Abschnitt, der weder Signale noch Variablen benennt.</translation>
+        </message>
+        <message>
+            <source>This controller has no number %1 there.</source>
+            <translation>Diese Steuerung hat dort keine Nummer %1.</translation>
+        </message>
+        <message>
+            <source>The name “%1” holds bytes that the text encoding does not know.</source>
+            <translation>Der Name „%1“ enthält Bytes, die die Textkodierung nicht kennt.</translation>
+        </message>
+        <message>
+            <source>The number was named “%1” before; the last name counts.</source>
+            <translation>Die Nummer hieß vorher schon „%1“; der letzte Name gilt.</translation>
+        </message>
+        <message>
+            <source>%1 has no signal #%2.</source>
+            <translation>%1 hat kein Signal #%2.</translation>
+        </message>
+        <message>
+            <source>There is no #%1: the last digit of a signal is 0 to 7.</source>
+            <translation>Ein #%1 gibt es nicht: Die letzte Ziffer eines Signals ist 0 bis 7.</translation>
+        </message>
+        <message>
+            <source>There is no %1#(%2): this controller has %1#(1) to %1#(%3).</source>
+            <translation>Ein %1#(%2) gibt es nicht: Diese Steuerung hat %1#(1) bis %1#(%3).</translation>
+        </message>
+        <message>
+            <source>“%1” is not a signal. Write #00010, IN#(1) or OT#(1).</source>
+            <translation>„%1“ ist kein Signal. Schreiben Sie #00010, IN#(1) oder OT#(1).</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ActiveAlarmsCard</name>
+        <message>
+            <source>Active alarms</source>
+            <translation>Anstehende Alarme</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>Quittieren</translation>
+        </message>
+        <message>
+            <source>Acknowledge all</source>
+            <translation>Alle quittieren</translation>
+        </message>
+        <message>
+            <source>Acknowledging is noted on this computer only. The robot does not hear of it.</source>
+            <translation>Quittiert wird nur auf diesem Rechner. Der Roboter erfährt davon nichts.</translation>
+        </message>
+        <message>
+            <source>Choose one or more alarms in the table first.</source>
+            <translation>Wählen Sie zuerst einen oder mehrere Alarme in der Tabelle.</translation>
+        </message>
+        <message>
+            <source>Whether there is an alarm is not known now.</source>
+            <translation>Ob ein Alarm ansteht, ist zurzeit nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>There is no alarm to clear.</source>
+            <translation>Es gibt keinen Alarm zurückzusetzen.</translation>
+        </message>
+        <message>
+            <source>Clears the alarms whose causes are gone.</source>
+            <translation>Setzt die Alarme zurück, deren Ursache behoben ist.</translation>
+        </message>
+        <message>
+            <source>Clears, if the cause is gone: %1.</source>
+            <translation>Setzt zurück, falls die Ursache behoben ist: %1.</translation>
+        </message>
+        <message>
+            <source>Whether there is an error is not known now.</source>
+            <translation>Ob ein Fehler ansteht, ist zurzeit nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>Clears the error message at the pendant, and no alarm.</source>
+            <translation>Löscht die Fehlermeldung am Programmierhandgerät, aber keinen Alarm.</translation>
+        </message>
+        <message>
+            <source>There is no error to clear.</source>
+            <translation>Es gibt keinen Fehler zu löschen.</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is known of the active alarms.</source>
+            <translation>Nicht verbunden: Über anstehende Alarme ist nichts bekannt.</translation>
+        </message>
+        <message>
+            <source>The alarms have not been read yet.</source>
+            <translation>Die Alarme wurden noch nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>The controller does not tell its alarms.</source>
+            <translation>Die Steuerung meldet ihre Alarme nicht.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s) active when last seen.</source>
+            <translation>
+                <numerusform>%n Alarm stand zuletzt an.</numerusform>
+                <numerusform>%n Alarme standen zuletzt an.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>No alarm is active.</source>
+            <translation>Kein Alarm steht an.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s) active, the newest first.</source>
+            <translation>
+                <numerusform>%n Alarm steht an, der neueste zuerst.</numerusform>
+                <numerusform>%n Alarme stehen an, der neueste zuerst.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Reset accepted. Reading the alarms…</source>
+            <translation>Zurücksetzen angenommen. Die Alarme werden gelesen…</translation>
+        </message>
+        <message>
+            <source>Reset accepted. Whether an alarm is left is not known: the status cannot be read.</source>
+            <translation>Zurücksetzen angenommen. Ob noch ein Alarm ansteht, ist nicht bekannt: Der Status kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Reset accepted. No alarm is active any more.</source>
+            <translation>Zurücksetzen angenommen. Es steht kein Alarm mehr an.</translation>
+        </message>
+        <message>
+            <source>▲ Accepted, still active: remove the cause first.</source>
+            <translation>▲ Angenommen, steht noch an: Zuerst die Ursache beheben.</translation>
+        </message>
+        <message>
+            <source>▲ Accepted, still active: remove the cause first. Left are: %1.</source>
+            <translation>▲ Angenommen, steht noch an: Zuerst die Ursache beheben. Es bleiben: %1.</translation>
+        </message>
+        <message>
+            <source>Cancel error accepted.</source>
+            <translation>Fehler löschen angenommen.</translation>
+        </message>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>Neuer Alarm %1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AlarmHistoryCard</name>
+        <message>
+            <source>History</source>
+            <translation>Verlauf</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportieren…</translation>
+        </message>
+        <message>
+            <source>Past alarms</source>
+            <translation>Vergangene Alarme</translation>
+        </message>
+        <message>
+            <source>Most frequent</source>
+            <translation>Häufigste</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Notizen</translation>
+        </message>
+        <message>
+            <source>List</source>
+            <translation>Liste</translation>
+        </message>
+        <message>
+            <source>All lists</source>
+            <translation>Alle Listen</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <source>Search code, text or time</source>
+            <translation>Code, Text oder Zeit suchen</translation>
+        </message>
+        <message>
+            <source>Most frequent alarms</source>
+            <translation>Häufigste Alarme</translation>
+        </message>
+        <message>
+            <source>Counted in everything this journal has of the controller. The times between are by the controller's clock; steps of that clock are left out.</source>
+            <translation>Gezählt wird in allem, was dieses Journal von der Steuerung enthält. Die Zeitabstände richten sich nach der Uhr der Steuerung; Sprünge dieser Uhr werden ausgelassen.</translation>
+        </message>
+        <message>
+            <source>Note on %1</source>
+            <translation>Notiz zu %1</translation>
+        </message>
+        <message>
+            <source>Stop reading</source>
+            <translation>Lesen anhalten</translation>
+        </message>
+        <message>
+            <source>Read now</source>
+            <translation>Jetzt lesen</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading the history from the controller: %n entry(s) read.</source>
+            <translation>
+                <numerusform>Der Verlauf wird aus der Steuerung gelesen: %n Eintrag gelesen.</numerusform>
+                <numerusform>Der Verlauf wird aus der Steuerung gelesen: %n Einträge gelesen.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The journal cannot be read: %1.</source>
+            <translation>Das Journal kann nicht gelesen werden: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading was stopped. %n entry(s) in the journal.</source>
+            <translation>
+                <numerusform>Das Lesen wurde angehalten. %n Eintrag im Journal.</numerusform>
+                <numerusform>Das Lesen wurde angehalten. %n Einträge im Journal.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The history could not be read to its end: %1.</source>
+            <translation>Der Verlauf konnte nicht bis zum Ende gelesen werden: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The newest %n entry(s) of the journal; the export has all of them.</source>
+            <translation>
+                <numerusform>Der neueste %n Eintrag des Journals; der Export enthält alle.</numerusform>
+                <numerusform>Die neuesten %n Einträge des Journals; der Export enthält alle.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n entry(s) in the journal, kept for ever.</source>
+            <translation>
+                <numerusform>%n Eintrag im Journal, auf Dauer aufbewahrt.</numerusform>
+                <numerusform>%n Einträge im Journal, auf Dauer aufbewahrt.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Export past alarms</source>
+            <translation>Vergangene Alarme exportieren</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n entry(s) exported.</source>
+            <translation>
+                <numerusform>%n Eintrag exportiert.</numerusform>
+                <numerusform>%n Einträge exportiert.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>Nicht exportiert: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AlarmNotes</name>
+        <message>
+            <source>Save note</source>
+            <translation>Notiz speichern</translation>
+        </message>
+        <message>
+            <source>Export notes…</source>
+            <translation>Notizen exportieren…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s) exported.</source>
+            <translation>
+                <numerusform>%n Notiz exportiert.</numerusform>
+                <numerusform>%n Notizen exportiert.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>Nicht exportiert: %1.</translation>
+        </message>
+        <message>
+            <source>Export notes</source>
+            <translation>Notizen exportieren</translation>
+        </message>
+        <message>
+            <source>Codes with a note</source>
+            <translation>Codes mit Notiz</translation>
+        </message>
+        <message>
+            <source>Alarm code</source>
+            <translation>Alarmcode</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>Ursache</translation>
+        </message>
+        <message>
+            <source>What we did</source>
+            <translation>Was wir getan haben</translation>
+        </message>
+        <message>
+            <source>The notes cannot be read: %1.</source>
+            <translation>Die Notizen können nicht gelesen werden: %1.</translation>
+        </message>
+        <message>
+            <source>No note yet.</source>
+            <translation>Noch keine Notiz.</translation>
+        </message>
+        <message>
+            <source>Last changed by %1, %2.</source>
+            <translation>Zuletzt geändert von %1, %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AxesCard</name>
+        <message>
+            <source>pulses</source>
+            <translation>Impulse</translation>
+        </message>
+        <message>
+            <source>degrees</source>
+            <translation>Grad</translation>
+        </message>
+        <message>
+            <source>following error, pulses</source>
+            <translation>Schleppfehler, Impulse</translation>
+        </message>
+        <message>
+            <source>torque, raw</source>
+            <translation>Drehmoment, roh</translation>
+        </message>
+        <message>
+            <source>As the controller sends it: the unit is stated nowhere.</source>
+            <translation>Wie die Steuerung es sendet: Die Einheit ist nirgends angegeben.</translation>
+        </message>
+        <message>
+            <source>encoder, °C</source>
+            <translation>Geber, °C</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <translation>min</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>max</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>Achsen</translation>
+        </message>
+        <message>
+            <source>Converter %1: %2 °C</source>
+            <translation>Umrichter %1: %2 °C</translation>
+        </message>
+        <message>
+            <source>Converter %1: %2 °C, last seen %3</source>
+            <translation>Umrichter %1: %2 °C, zuletzt gesehen %3</translation>
+        </message>
+        <message>
+            <source>Converter temperature: %1</source>
+            <translation>Umrichtertemperatur: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::BackupPage</name>
+        <message>
+            <source>Taken</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Geändert</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source> newest</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Keep any number</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source> days</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Keep any age</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Back up now</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Verify</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Vergleichen</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Change</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Good: every byte of %n file(s) is as it was written.</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>▲ Not good: %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>After a backup keep</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The last good backup and pinned ones are never deleted.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compare with</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>with the backup before</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>with the newest backup</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>with the controller now</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Restore…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>In %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Unpin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose a backup first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Files are being read.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reading file %1 of %2…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reading the lists…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ There is no new backup: %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ %1 of %2 files were backed up.</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>All %n file(s) were backed up.</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Reading every byte…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There is no other backup to compare with.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The controller's files were read.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>≠ changed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>pages::CartesianCard</name>
+        <message>
+            <source>now</source>
+            <translation>jetzt</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <translation>min</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>max</translation>
+        </message>
+        <message>
+            <source>Tool point</source>
+            <translation>Werkzeugpunkt</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>Stellung</translation>
+        </message>
+        <message>
+            <source>Extended form</source>
+            <translation>Erweiterte Stellung</translation>
+        </message>
+        <message>
+            <source>%1 · base frame, tool %2</source>
+            <translation>%1 · Basis, Werkzeug %2</translation>
+        </message>
+        <message>
+            <source>%1 · base frame</source>
+            <translation>%1 · Basis</translation>
+        </message>
+        <message>
+            <source>%1 has no tool point: HSES tells it of robots only.</source>
+            <translation>%1 hat keinen Werkzeugpunkt: HSES nennt ihn nur für Roboter.</translation>
+        </message>
+        <message>
+            <source>%1, base frame, tool %2</source>
+            <translation>%1, Basis, Werkzeug %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::CycleCard</name>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Actual</source>
+            <translation>Tatsächlich</translation>
+        </message>
+        <message>
+            <source>Requested here</source>
+            <translation>Hier angefordert</translation>
+        </message>
+        <message>
+            <source>Nothing was requested from here.</source>
+            <translation>Von hier wurde nichts angefordert.</translation>
+        </message>
+        <message>
+            <source>Cycle mode to request</source>
+            <translation>Anzufordernde Zyklusart</translation>
+        </message>
+        <message>
+            <source>Request</source>
+            <translation>Anfordern</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::FilePane</name>
+        <message numerus="yes">
+            <source>%n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::FilesPage</name>
+        <message>
+            <source>This computer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Steuerung</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>Neu lesen</translation>
+        </message>
+        <message>
+            <source>← Fetch</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Folder of the files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Type of the files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Send →</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Transfers</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There are no controller files in this folder.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reading the list…</source>
+            <translation>Die Liste wird gelesen…</translation>
+        </message>
+        <message>
+            <source>The controller lists no files of this type.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose files on the left first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose files on the right first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Before sending</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Send</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>pages::GroupCard</name>
+        <message>
+            <source>axis %1</source>
+            <translation>Achse %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::HoldCard</name>
+        <message>
+            <source>Hold</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>Held by</source>
+            <translation>Gehalten durch</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::IoPage</name>
+        <message>
+            <source>User in</source>
+            <translation>Benutzer E</translation>
+        </message>
+        <message>
+            <source>User out</source>
+            <translation>Benutzer A</translation>
+        </message>
+        <message>
+            <source>External in</source>
+            <translation>Extern E</translation>
+        </message>
+        <message>
+            <source>Network in</source>
+            <translation>Netzwerk E</translation>
+        </message>
+        <message>
+            <source>External out</source>
+            <translation>Extern A</translation>
+        </message>
+        <message>
+            <source>Network out</source>
+            <translation>Netzwerk A</translation>
+        </message>
+        <message>
+            <source>System in</source>
+            <translation>System E</translation>
+        </message>
+        <message>
+            <source>System out</source>
+            <translation>System A</translation>
+        </message>
+        <message>
+            <source>Panel</source>
+            <translation>Bedienfeld</translation>
+        </message>
+        <message>
+            <source>Relays</source>
+            <translation>Relais</translation>
+        </message>
+        <message>
+            <source>Control</source>
+            <translation>Steuerstatus</translation>
+        </message>
+        <message>
+            <source>Pseudo in</source>
+            <translation>Pseudo E</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>Gehe zu</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>Gehe zu…  Strg+G</translation>
+        </message>
+        <message>
+            <source>Count from 0</source>
+            <translation>Ab 0 zählen</translation>
+        </message>
+        <message>
+            <source>Watch</source>
+            <translation>Beobachten</translation>
+        </message>
+        <message>
+            <source>Over HSES only network inputs can be written: this lamp only shows.</source>
+            <translation>Über HSES lassen sich nur Netzwerkeingänge schreiben: Diese Lampe zeigt nur an.</translation>
+        </message>
+        <message>
+            <source>Write…</source>
+            <translation>Schreiben…</translation>
+        </message>
+        <message>
+            <source>Name it here…</source>
+            <translation>Hier benennen…</translation>
+        </message>
+        <message>
+            <source>Take the local name away</source>
+            <translation>Lokalen Namen entfernen</translation>
+        </message>
+        <message>
+            <source>Watch no longer</source>
+            <translation>Nicht mehr beobachten</translation>
+        </message>
+        <message>
+            <source>Copy the address</source>
+            <translation>Adresse kopieren</translation>
+        </message>
+        <message>
+            <source>Edges are counted from what is read four times a second; shorter pulses are not seen.</source>
+            <translation>Flanken werden aus dem gezählt, was viermal pro Sekunde gelesen wird; kürzere Impulse bleiben unbemerkt.</translation>
+        </message>
+        <message>
+            <source>Network inputs can be written: press Enter on a lamp.</source>
+            <translation>Netzwerkeingänge lassen sich schreiben: Drücken Sie auf einer Lampe die Eingabetaste.</translation>
+        </message>
+        <message>
+            <source>These lamps only show: over HSES only network inputs can be written.</source>
+            <translation>Diese Lampen zeigen nur an: Über HSES lassen sich nur Netzwerkeingänge schreiben.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n group(s) from %1 on are refused: %2.</source>
+            <translation>
+                <numerusform>%n Gruppe ab %1 wird abgelehnt: %2.</numerusform>
+                <numerusform>%n Gruppen ab %1 werden abgelehnt: %2.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The controller's names are not known: %1.</source>
+            <translation>Die Namen der Steuerung sind nicht bekannt: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) of IONAME.DAT could not be read.</source>
+            <translation>
+                <numerusform>%n Zeile von IONAME.DAT konnte nicht gelesen werden.</numerusform>
+                <numerusform>%n Zeilen von IONAME.DAT konnten nicht gelesen werden.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobCard</name>
+        <message>
+            <source>Executing</source>
+            <translation>In Ausführung</translation>
+        </message>
+        <message>
+            <source>master task</source>
+            <translation>Mastertask</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobListCard</name>
+        <message>
+            <source>Jobs on the controller</source>
+            <translation>Jobs auf der Steuerung</translation>
+        </message>
+        <message>
+            <source>★ Favourite</source>
+            <translation>★ Favorit</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>Neu lesen</translation>
+        </message>
+        <message>
+            <source>Filter</source>
+            <translation>Filter</translation>
+        </message>
+        <message>
+            <source>Filter jobs by name</source>
+            <translation>Jobs nach Namen filtern</translation>
+        </message>
+        <message>
+            <source>The list could not be read: %1.</source>
+            <translation>Die Liste konnte nicht gelesen werden: %1.</translation>
+        </message>
+        <message>
+            <source>Reading the list…</source>
+            <translation>Die Liste wird gelesen…</translation>
+        </message>
+        <message>
+            <source>The list was not read yet.</source>
+            <translation>Die Liste wurde noch nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>There is no job on the controller.</source>
+            <translation>Auf der Steuerung ist kein Job.</translation>
+        </message>
+        <message>
+            <source>No job has “%1” in its name.</source>
+            <translation>Kein Job hat „%1“ im Namen.</translation>
+        </message>
+        <message>
+            <source>reading…</source>
+            <translation>wird gelesen…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n job(s)</source>
+            <translation>
+                <numerusform>%n Job</numerusform>
+                <numerusform>%n Jobs</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1, read at %2</source>
+            <translation>%1, gelesen um %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobTextCard</name>
+        <message>
+            <source>Job text</source>
+            <translation>Jobtext</translation>
+        </message>
+        <message>
+            <source>Choose a job in the list to read it.</source>
+            <translation>Wählen Sie einen Job in der Liste, um ihn zu lesen.</translation>
+        </message>
+        <message>
+            <source>Follow what is executed</source>
+            <translation>Der Ausführung folgen</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>Neu lesen</translation>
+        </message>
+        <message>
+            <source>Labels and calls</source>
+            <translation>Marken und Aufrufe</translation>
+        </message>
+        <message>
+            <source>%1  %2</source>
+            <comment>line and label</comment>
+            <translation>%1  %2</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>reading…</source>
+            <translation>wird gelesen…</translation>
+        </message>
+        <message>
+            <source>read at %1</source>
+            <translation>gelesen um %1</translation>
+        </message>
+        <message>
+            <source>The job could not be read: %1.</source>
+            <translation>Der Job konnte nicht gelesen werden: %1.</translation>
+        </message>
+        <message>
+            <source>Read at %1. The controller was in TEACH or the link was lost since: this copy may be old.</source>
+            <translation>Gelesen um %1. Seitdem war die Steuerung in TEACH oder die Verbindung verloren: Diese Kopie kann veraltet sein.</translation>
+        </message>
+        <message>
+            <source>This file has no NOP line: it holds no instructions that could be shown.</source>
+            <translation>Diese Datei hat keine Zeile NOP: Sie enthält keine Anweisungen, die gezeigt werden könnten.</translation>
+        </message>
+        <message>
+            <source>Reading the job…</source>
+            <translation>Der Job wird gelesen…</translation>
+        </message>
+        <message>
+            <source>The job was not read yet.</source>
+            <translation>Der Job wurde noch nicht gelesen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobsPage</name>
+        <message>
+            <source>Orders</source>
+            <translation>Befehle</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JournalPage</name>
+        <message>
+            <source>At any time</source>
+            <translation>Jederzeit</translation>
+        </message>
+        <message>
+            <source>Today</source>
+            <translation>Heute</translation>
+        </message>
+        <message>
+            <source>Last 7 days</source>
+            <translation>Letzte 7 Tage</translation>
+        </message>
+        <message>
+            <source>Last 30 days</source>
+            <translation>Letzte 30 Tage</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>Journal</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Steuerung</translation>
+        </message>
+        <message>
+            <source>All controllers</source>
+            <translation>Alle Steuerungen</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Was</translation>
+        </message>
+        <message>
+            <source>Everything</source>
+            <translation>Alles</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Ausgang</translation>
+        </message>
+        <message>
+            <source>Any outcome</source>
+            <translation>Jeder Ausgang</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportieren…</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <source>Search in all texts</source>
+            <translation>In allen Texten suchen</translation>
+        </message>
+        <message>
+            <source>Reading the journal…</source>
+            <translation>Das Journal wird gelesen…</translation>
+        </message>
+        <message>
+            <source>The journal cannot be read: %1.</source>
+            <translation>Das Journal kann nicht gelesen werden: %1.</translation>
+        </message>
+        <message>
+            <source>Nothing was tried that fits this filter.</source>
+            <translation>Zu diesem Filter gibt es keinen Vorgang.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The newest %n record(s). Scroll down for older ones.</source>
+            <translation>
+                <numerusform>Der neueste %n Eintrag. Für ältere nach unten blättern.</numerusform>
+                <numerusform>Die neuesten %n Einträge. Für ältere nach unten blättern.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n record(s)</source>
+            <translation>
+                <numerusform>%n Eintrag</numerusform>
+                <numerusform>%n Einträge</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a record to read all of it here.</source>
+            <translation>Wählen Sie einen Eintrag, um ihn hier ganz zu lesen.</translation>
+        </message>
+        <message>
+            <source>%1: %2 at %3.</source>
+            <translation>%1: %2 an %3.</translation>
+        </message>
+        <message>
+            <source>Outcome: %1.</source>
+            <translation>Ausgang: %1.</translation>
+        </message>
+        <message>
+            <source>By %1 at %2, level %3.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Export the journal</source>
+            <translation>Journal exportieren</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n record(s) exported.</source>
+            <translation>
+                <numerusform>%n Eintrag exportiert.</numerusform>
+                <numerusform>%n Einträge exportiert.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>Nicht exportiert: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::LinkCard</name>
+        <message>
+            <source>%1 repeated</source>
+            <translation>%1 wiederholt</translation>
+        </message>
+        <message>
+            <source>%1 unanswered</source>
+            <translation>%1 unbeantwortet</translation>
+        </message>
+        <message>
+            <source>%1 late</source>
+            <translation>%1 verspätet</translation>
+        </message>
+        <message>
+            <source>%1 twice</source>
+            <translation>%1 doppelt</translation>
+        </message>
+        <message>
+            <source>%1 mismatched</source>
+            <translation>%1 unpassend</translation>
+        </message>
+        <message>
+            <source>%1 malformed</source>
+            <translation>%1 fehlerhaft</translation>
+        </message>
+        <message>
+            <source>%1 from elsewhere</source>
+            <translation>%1 von anderswo</translation>
+        </message>
+        <message>
+            <source>%1 busy</source>
+            <translation>%1 belegt</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>nichts</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>Verbindung</translation>
+        </message>
+        <message>
+            <source>last 60 s</source>
+            <translation>letzte 60 s</translation>
+        </message>
+        <message>
+            <source>round trip p50 / p95</source>
+            <translation>Umlaufzeit p50 / p95</translation>
+        </message>
+        <message>
+            <source>lost</source>
+            <translation>verloren</translation>
+        </message>
+        <message>
+            <source>requests</source>
+            <translation>Anfragen</translation>
+        </message>
+        <message>
+            <source>last answer</source>
+            <translation>letzte Antwort</translation>
+        </message>
+        <message>
+            <source>sent / answered</source>
+            <translation>gesendet / beantwortet</translation>
+        </message>
+        <message>
+            <source>unusual</source>
+            <translation>Auffälliges</translation>
+        </message>
+        <message>
+            <source>%1 / %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>%1 /s of %2</source>
+            <translation>%1 /s von %2</translation>
+        </message>
+        <message>
+            <source>%1 ago</source>
+            <translation>vor %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::NotConnectedPanel</name>
+        <message>
+            <source>Connect to %1</source>
+            <translation>Mit %1 verbinden</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>Andere Steuerung…</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>Verbinden…</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>Demo öffnen</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>Nicht verbunden</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
+            <translation>Es wird nichts gelesen und nichts angezeigt. Verbinden Sie sich mit einer Robotersteuerung in Ihrem Netzwerk über deren Namen oder Adresse; ihr Ethernet-Server muss eingeschaltet sein.</translation>
+        </message>
+        <message>
+            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
+            <translation>Beim Verbinden wird nur gelesen. Ist kein Roboter zur Hand, bringt die Demo ihre eigene simulierte Steuerung mit.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::OptionsCard</name>
+        <message>
+            <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
+            <translation>immer: die Schaltfläche oben, die Pause-Taste oder Strg+Umschalt+H.</translation>
+        </message>
+        <message>
+            <source>sent repeatedly until confirmed or 2 s have passed. Have the pendant at hand.</source>
+            <translation>wird wiederholt gesendet, bis es bestätigt ist oder 2 s vergangen sind. Halten Sie das Programmierhandgerät bereit.</translation>
+        </message>
+        <message>
+            <source>there is no connection: use the pendant.</source>
+            <translation>es besteht keine Verbindung: Programmierhandgerät benutzen.</translation>
+        </message>
+        <message>
+            <source>What can I do now?</source>
+            <translation>Was ist jetzt möglich?</translation>
+        </message>
+        <message>
+            <source>HOLD</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>possible</source>
+            <translation>möglich</translation>
+        </message>
+        <message>
+            <source>not possible</source>
+            <translation>nicht möglich</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PendantCard</name>
+        <message>
+            <source>Pendant</source>
+            <translation>Programmierhandgerät</translation>
+        </message>
+        <message>
+            <source>Message for the pendant</source>
+            <translation>Meldung für das Programmierhandgerät</translation>
+        </message>
+        <message>
+            <source>Show on the pendant</source>
+            <translation>Auf dem Programmierhandgerät zeigen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 of %n byte(s)</source>
+            <translation>
+                <numerusform>%1 von %n Byte</numerusform>
+                <numerusform>%1 von %n Byte</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Type a message first.</source>
+            <translation>Geben Sie zuerst eine Meldung ein.</translation>
+        </message>
+        <message>
+            <source>The controller's encoding cannot hold this: %1.</source>
+            <translation>Die Kodierung der Steuerung kann das nicht darstellen: %1.</translation>
+        </message>
+        <message>
+            <source>The message is too long for the pendant.</source>
+            <translation>Die Meldung ist zu lang für das Programmierhandgerät.</translation>
+        </message>
+        <message>
+            <source>HLOCK was switched on from here: the pendant is locked out, but for its emergency stop.</source>
+            <translation>HLOCK wurde von hier eingeschaltet: Das Programmierhandgerät ist gesperrt, außer seinem Not-Halt.</translation>
+        </message>
+        <message>
+            <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
+            <translation>HLOCK sperrt das Programmierhandgerät. Ob es eingeschaltet ist, lässt sich über HSES nicht lesen; von hier wurde es nicht eingeschaltet.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PositionCard</name>
+        <message>
+            <source>Position</source>
+            <translation>Position</translation>
+        </message>
+        <message>
+            <source>R1 · base frame, tool %1  ·  pulses</source>
+            <translation>R1 · Basis, Werkzeug %1  ·  Impulse</translation>
+        </message>
+        <message>
+            <source>R1 · base frame  ·  pulses</source>
+            <translation>R1 · Basis  ·  Impulse</translation>
+        </message>
+        <message>
+            <source>axis %1</source>
+            <translation>Achse %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PositionPage</name>
+        <message>
+            <source>Control groups</source>
+            <translation>Achsgruppen</translation>
+        </message>
+        <message>
+            <source>Reset min and max</source>
+            <translation>Min. und Max. zurücksetzen</translation>
+        </message>
+        <message>
+            <source>Copy as text</source>
+            <translation>Als Text kopieren</translation>
+        </message>
+        <message>
+            <source>Not shown because refused: %1 of %2 control groups.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>pages::RegistersPage</name>
+        <message>
+            <source>How registers are written</source>
+            <translation>Schreibweise der Register</translation>
+        </message>
+        <message>
+            <source>Decimal</source>
+            <translation>Dezimal</translation>
+        </message>
+        <message>
+            <source>Signed</source>
+            <translation>Mit Vorzeichen</translation>
+        </message>
+        <message>
+            <source>Hexadecimal</source>
+            <translation>Hexadezimal</translation>
+        </message>
+        <message>
+            <source>Binary</source>
+            <translation>Binär</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written; the others belong to the ladder.</source>
+            <translation>M000 bis M559 lassen sich schreiben; die übrigen gehören dem Kontaktplan (Ladder).</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SelectCard</name>
+        <message>
+            <source>Select</source>
+            <translation>Wählen</translation>
+        </message>
+        <message>
+            <source>Select as</source>
+            <translation>Wählen als</translation>
+        </message>
+        <message>
+            <source>to be executed</source>
+            <translation>auszuführender Job</translation>
+        </message>
+        <message>
+            <source>master job</source>
+            <translation>Masterjob</translation>
+        </message>
+        <message>
+            <source>master job of sub task %1</source>
+            <translation>Masterjob von Subtask %1</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>Ab Zeile</translation>
+        </message>
+        <message>
+            <source>line </source>
+            <translation>Zeile </translation>
+        </message>
+        <message>
+            <source>Select %1</source>
+            <translation>%1 wählen</translation>
+        </message>
+        <message>
+            <source>Choose a job in the list first.</source>
+            <translation>Wählen Sie zuerst einen Job in der Liste.</translation>
+        </message>
+        <message>
+            <source>%1, line %2</source>
+            <translation>%1, Zeile %2</translation>
+        </message>
+        <message>
+            <source>task %1</source>
+            <translation>Task %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SelectionCard</name>
+        <message>
+            <source>Job</source>
+            <translation>Job</translation>
+        </message>
+        <message>
+            <source>Selected</source>
+            <translation>Gewählt</translation>
+        </message>
+        <message>
+            <source>Starts at</source>
+            <translation>Beginnt bei</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>In Ausführung</translation>
+        </message>
+        <message>
+            <source>Where it is</source>
+            <translation>Aktuelle Stelle</translation>
+        </message>
+        <message>
+            <source>master task</source>
+            <translation>Mastertask</translation>
+        </message>
+        <message>
+            <source>No job is running.</source>
+            <translation>Es läuft kein Job.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ServoCard</name>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Servo power</source>
+            <translation>Servoleistung</translation>
+        </message>
+        <message>
+            <source>A job is running: servo off stops it at once.</source>
+            <translation>Ein Job läuft: Servo aus stoppt ihn sofort.</translation>
+        </message>
+        <message>
+            <source>Servo on…</source>
+            <translation>Servo ein…</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>Servo ein</translation>
+        </message>
+        <message>
+            <source>Switch servo power on at %1?
+
+The robot can move from then on. Nobody may be inside the fence.</source>
+            <translation>Servoleistung an %1 einschalten?
+
+Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzzauns aufhalten.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::StartCard</name>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Start…</source>
+            <translation>Start…</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::StateCard</name>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SystemCard</name>
+        <message>
+            <source>System</source>
+            <translation>System</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Modell</translation>
+        </message>
+        <message>
+            <source>Software</source>
+            <translation>Software</translation>
+        </message>
+        <message>
+            <source>Parameters</source>
+            <translation>Parameter</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the system information</source>
+            <translation>Systeminformationen kopieren</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but this is the software of a %2: correct the profile.</source>
+            <translation>Das Profil sagt %1, aber das ist die Software einer %2: Bitte das Profil berichtigen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::TasksCard</name>
+        <message>
+            <source>Tasks</source>
+            <translation>Tasks</translation>
+        </message>
+        <message>
+            <source>Show the sub tasks</source>
+            <translation>Subtasks anzeigen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n sub task(s)</source>
+            <translation>
+                <numerusform>%n Subtask</numerusform>
+                <numerusform>%n Subtasks</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Sub task %1</source>
+            <translation>Subtask %1</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ToolPathCard</name>
+        <message>
+            <source>Tool path</source>
+            <translation>Werkzeugbahn</translation>
+        </message>
+        <message>
+            <source>Clear path</source>
+            <translation>Bahn löschen</translation>
+        </message>
+        <message>
+            <source>%1 · base frame</source>
+            <translation>%1 · Basis</translation>
+        </message>
+        <message>
+            <source>%1 has no tool point: HSES tells it of robots only.</source>
+            <translation>%1 hat keinen Werkzeugpunkt: HSES nennt ihn nur für Roboter.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::TrendPage</name>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+        <message>
+            <source>Add signal…</source>
+            <translation>Signal hinzufügen…</translation>
+        </message>
+        <message>
+            <source>Export CSV…</source>
+            <translation>CSV exportieren…</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>Freezes the view; recording goes on.</source>
+            <translation>Hält die Ansicht an; die Aufzeichnung läuft weiter.</translation>
+        </message>
+        <message>
+            <source>Back to live</source>
+            <translation>Zurück zu Live</translation>
+        </message>
+        <message>
+            <source>Time in view</source>
+            <translation>Zeit im Bild</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>Trend</translation>
+        </message>
+        <message>
+            <source>Nothing is plotted yet. Drag a number here from any page, choose “Add to trend” in its menu, or add a signal.</source>
+            <translation>Noch ist keine Kurve da. Ziehen Sie von einer beliebigen Seite eine Zahl hierher, wählen Sie „Zum Trend hinzufügen“ in ihrem Menü, oder fügen Sie ein Signal hinzu.</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>Signale</translation>
+        </message>
+        <message>
+            <source>Remove from trend</source>
+            <translation>Aus dem Trend entfernen</translation>
+        </message>
+        <message>
+            <source>Incidents</source>
+            <translation>Vorfälle</translation>
+        </message>
+        <message>
+            <source>60 s before an alarm, 20 s after</source>
+            <translation>60 s vor einem Alarm, 20 s danach</translation>
+        </message>
+        <message>
+            <source>Open incident</source>
+            <translation>Vorfall öffnen</translation>
+        </message>
+        <message>
+            <source>No alarm has been recorded yet.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>It could not be saved: %1</source>
+            <translation>Konnte nicht gespeichert werden: %1</translation>
+        </message>
+        <message>
+            <source>Incident of %1: %2</source>
+            <translation>Vorfall vom %1: %2</translation>
+        </message>
+        <message>
+            <source>Paused at %1; recording goes on</source>
+            <translation>Angehalten um %1; die Aufzeichnung läuft weiter</translation>
+        </message>
+        <message>
+            <source>Nothing is recorded: no communication</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Live; values of %1</source>
+            <translation>Live; Werte von %1</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>Live</translation>
+        </message>
+        <message>
+            <source>%1 is refused by the controller.</source>
+            <translation>%1 wird von der Steuerung abgelehnt.</translation>
+        </message>
+        <message>
+            <source>Go on</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>This incident cannot be read: %1</source>
+            <translation>Dieser Vorfall kann nicht gelesen werden: %1</translation>
+        </message>
+        <message>
+            <source>Export what is in view</source>
+            <translation>Sichtbares exportieren</translation>
+        </message>
+        <message>
+            <source>CSV files (*.csv)</source>
+            <translation>CSV-Dateien (*.csv)</translation>
+        </message>
+        <message>
+            <source>The file could not be written: %1</source>
+            <translation>Die Datei konnte nicht geschrieben werden: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariableSheet</name>
+        <message>
+            <source>Discard</source>
+            <translation>Verwerfen</translation>
+        </message>
+        <message>
+            <source>Undo last</source>
+            <translation>Letztes rückgängig</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>Gehe zu</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>Gehe zu…  Strg+G</translation>
+        </message>
+        <message>
+            <source>Import…</source>
+            <translation>Importieren…</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportieren…</translation>
+        </message>
+        <message>
+            <source>%1 can only be read over HSES.</source>
+            <translation>%1 lässt sich über HSES nur lesen.</translation>
+        </message>
+        <message>
+            <source>Writing…</source>
+            <translation>Wird geschrieben…</translation>
+        </message>
+        <message numerus="yes">
+            <source>Apply %n…</source>
+            <translation>
+                <numerusform>%n anwenden…</numerusform>
+                <numerusform>%n anwenden…</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The values are being written.</source>
+            <translation>Die Werte werden gerade geschrieben.</translation>
+        </message>
+        <message>
+            <source>Nothing is staged: press Enter in a value.</source>
+            <translation>Nichts ist vorgemerkt: Drücken Sie in einem Wert die Eingabetaste.</translation>
+        </message>
+        <message>
+            <source>Nothing is staged.</source>
+            <translation>Nichts ist vorgemerkt.</translation>
+        </message>
+        <message>
+            <source>Stages the values that stood there before.</source>
+            <translation>Merkt die Werte vor, die vorher dort standen.</translation>
+        </message>
+        <message>
+            <source>Nothing was written that could be undone.</source>
+            <translation>Es wurde nichts geschrieben, was rückgängig zu machen wäre.</translation>
+        </message>
+        <message>
+            <source>Import values</source>
+            <translation>Werte importieren</translation>
+        </message>
+        <message>
+            <source>CSV files (*.csv)</source>
+            <translation>CSV-Dateien (*.csv)</translation>
+        </message>
+        <message>
+            <source>%1 cannot be read: %2.</source>
+            <translation>%1 kann nicht gelesen werden: %2.</translation>
+        </message>
+        <message>
+            <source>Export values</source>
+            <translation>Werte exportieren</translation>
+        </message>
+        <message>
+            <source>%1 was written.</source>
+            <translation>%1 wurde geschrieben.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written: %2.</source>
+            <translation>%1 kann nicht geschrieben werden: %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariablesPage</name>
+        <message>
+            <source>Verify…</source>
+            <translation>Prüfen…</translation>
+        </message>
+        <message>
+            <source>Compares two variables with the pendant. It only reads.</source>
+            <translation>Vergleicht zwei Variablen mit dem Programmierhandgerät. Es wird nur gelesen.</translation>
+        </message>
+        <message>
+            <source>New watch page…</source>
+            <translation>Neue Beobachtungsseite…</translation>
+        </message>
+        <message>
+            <source>New watch page</source>
+            <translation>Neue Beobachtungsseite</translation>
+        </message>
+        <message>
+            <source>Name of the page</source>
+            <translation>Name der Seite</translation>
+        </message>
+        <message>
+            <source>Watch: %1</source>
+            <translation>Beobachtung: %1</translation>
+        </message>
+        <message>
+            <source>Delete this watch page</source>
+            <translation>Diese Beobachtungsseite löschen</translation>
+        </message>
+        <message>
+            <source>Show on the watch page “%1”</source>
+            <translation>Auf der Beobachtungsseite „%1“ zeigen</translation>
+        </message>
+        <message>
+            <source>Take off this watch page</source>
+            <translation>Von dieser Beobachtungsseite nehmen</translation>
+        </message>
+        <message>
+            <source>There is no watch page yet.</source>
+            <translation>Es gibt noch keine Beobachtungsseite.</translation>
+        </message>
+        <message>
+            <source>Numbering not verified: nothing is written before it was compared with the pendant.</source>
+            <translation>Nummerierung nicht geprüft: Vor dem Vergleich mit dem Programmierhandgerät wird nichts geschrieben.</translation>
+        </message>
+        <message>
+            <source>Simulation: number %1 on the network is B000.</source>
+            <translation>Simulation: Nummer %1 im Netzwerk ist B000.</translation>
+        </message>
+        <message>
+            <source>Numbering verified %1: number %2 on the network is B000.</source>
+            <translation>Nummerierung geprüft %1: Nummer %2 im Netzwerk ist B000.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendesk</name>
+        <message>
+            <source>A teach and monitor desk for Yaskawa robot controllers.</source>
+            <translation>Ein Platz zum Teachen und Beobachten von Yaskawa-Robotersteuerungen.</translation>
+        </message>
+        <message>
+            <source>Connect to a simulated controller inside the program.</source>
+            <translation>Mit einer simulierten Steuerung im Programm verbinden.</translation>
+        </message>
+        <message>
+            <source>light, dark, or auto for the desktop's choice.</source>
+            <translation>light, dark oder auto für die Wahl des Desktops.</translation>
+        </message>
+        <message>
+            <source>Language of the window, as a code such as de; the desktop's unless told otherwise.</source>
+            <translation>Sprache des Fensters als Code wie de; ohne Angabe die des Desktops.</translation>
+        </message>
+        <message>
+            <source>Allow watching, HOLD and servo off alone, whatever the person at the desk tries.</source>
+            <translation>Nur Beobachten, HOLD und Servo aus zulassen, was auch immer am Platz versucht wird.</translation>
+        </message>
+        <message>
+            <source>Write pictures of every page to this folder, print the status read, and end.</source>
+            <translation>Bilder aller Seiten in diesen Ordner schreiben, den gelesenen Status ausgeben und beenden.</translation>
+        </message>
+        <message>
+            <source>Print when the window was painted and when the first status was live.</source>
+            <translation>Ausgeben, wann das Fenster gezeichnet und wann der erste Status live war.</translation>
+        </message>
+        <message>
+            <source>--demo brings its own controller: leave out --host and --profile.</source>
+            <translation>--demo bringt seine eigene Steuerung mit: --host und --profile weglassen.</translation>
+        </message>
+        <message>
+            <source>--theme must be light, dark or auto.</source>
+            <translation>--theme muss light, dark oder auto sein.</translation>
+        </message>
+        <message>
+            <source>--language must be one of: %1.</source>
+            <translation>--language muss eines von diesen sein: %1.</translation>
+        </message>
+        <message>
+            <source>“%1” is not an option.</source>
+            <translation>„%1“ ist keine Option.</translation>
+        </message>
+        <message>
+            <source>--pictures needs a folder, and --demo, --host or --profile.</source>
+            <translation>--pictures braucht einen Ordner und --demo, --host oder --profile.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendesk::Pictures</name>
+        <message>
+            <source>not everything was read</source>
+            <translation>nicht alles wurde gelesen</translation>
+        </message>
+        <message>
+            <source>pendesk: no live controller within 5 s: %1.</source>
+            <translation>pendesk: innerhalb von 5 s keine Steuerung live: %1.</translation>
+        </message>
+        <message>
+            <source>pendesk: the folder %1 cannot be made.</source>
+            <translation>pendesk: Der Ordner %1 kann nicht angelegt werden.</translation>
+        </message>
+        <message>
+            <source>pendesk: %1 cannot be written.</source>
+            <translation>pendesk: %1 kann nicht geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Modell</translation>
+        </message>
+        <message>
+            <source>Software</source>
+            <translation>Software</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Lauf</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarm</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>In Ausführung</translation>
+        </message>
+        <message>
+            <source>Pictures are in %1</source>
+            <translation>Die Bilder sind in %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendeskctl</name>
+        <message>
+            <source>%1 files were restored. The fresh backup is %2.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete all but the newest N backups afterwards, never the last good one.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete backups older than N days afterwards, never the last good one.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads all files of the controller into DIR/&lt;controller&gt;/&lt;UTC time&gt;, in BagIt form.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say the folder of the backups.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads a backup and tells whether it is what was written.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say the backup.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Count dates, counters, blanks and line ends as differences too.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compares two backups, or a backup with the controller; exit code 1 if they differ.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say one or two backups.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Only print what would be done.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Sends back what differs from a backup: first a fresh backup beside it, then file by file, each read back. Stops at the first error; never while a job runs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>“%1” is no file name.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Print for people instead of JSON.</source>
+            <translation>Für Menschen lesbar ausgeben statt als JSON.</translation>
+        </message>
+        <message>
+            <source>The request that a reply answers.</source>
+            <translation>Die Anfrage, auf die sich eine Antwort bezieht.</translation>
+        </message>
+        <message>
+            <source>The port of the packets: 10040 or 10041.</source>
+            <translation>Der Port der Pakete: 10040 oder 10041.</translation>
+        </message>
+        <message>
+            <source>The encoding of texts.</source>
+            <translation>Die Kodierung der Texte.</translation>
+        </message>
+        <message>
+            <source>The controller model.</source>
+            <translation>Das Modell der Steuerung.</translation>
+        </message>
+        <message>
+            <source>A packet; without any, one a line on stdin.</source>
+            <translation>Ein Paket; ohne Angabe je eines pro Zeile von stdin.</translation>
+        </message>
+        <message>
+            <source>A job is running; files are not changed meanwhile.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The name “%1” has no IPv4 address.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The folder “%1” cannot be made.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 exists and is left alone; --yes replaces it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>“%1” is no name that a controller takes.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 exists at the controller and is left alone; --replace replaces it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Lists the jobs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The folder for what comes; for rm, for the copies.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>put: replace what the controller has.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read status, job, position and system information</source>
+            <translation>Status, Job, Position und Systeminformationen lesen</translation>
+        </message>
+        <message>
+            <source>read model, system software and parameter version</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read the active alarms, or a list of the history</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read where the robot stands</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>list the jobs</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read I/O, write a network input</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read and write registers</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read and write variables</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>list, read, send and delete files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read all files of a controller into a new backup</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>tell whether a backup is what was written</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>compare two backups, or one with the controller</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>send back what differs from a backup</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read values again and again</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>take packets given in hex apart</source>
+            <translation>hexadezimal angegebene Pakete zerlegen</translation>
+        </message>
+        <message>
+            <source>Usage: pendeskctl VERB [options]</source>
+            <translation>Aufruf: pendeskctl VERB [Optionen]</translation>
+        </message>
+        <message>
+            <source>pendeskctl VERB --help tells more.</source>
+            <translation>pendeskctl VERB --help sagt mehr.</translation>
+        </message>
+        <message>
+            <source>there is no verb “%1”.</source>
+            <translation>es gibt kein Verb „%1“.</translation>
+        </message>
+        <message>
+            <source>%1: the controller has no such row of I/O groups.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Instance of the first variable on this controller, 0 or 1 (parameter RS022).</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Print JSON.</source>
+            <translation>JSON ausgeben.</translation>
+        </message>
+        <message>
+            <source>Yes, write: what changes something does nothing without it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>No progress and no remarks.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>--numbering takes 0 or 1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Name the controller with --host or --profile.</source>
+            <translation>Nennen Sie die Steuerung mit --host oder --profile.</translation>
+        </message>
+        <message>
+            <source>See pendeskctl %1 --help.</source>
+            <translation>Siehe pendeskctl %1 --help.</translation>
+        </message>
+        <message>
+            <source>This changes something at the controller or on this computer. Add --yes to do it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say what to read.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Positions are not written from the command line.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Nobody has verified which instance a variable has on this controller. Compare one value with the pendant, then say --numbering 0 or --numbering 1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Another value was read back: %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>io set takes one signal, such as 27010, and 0 or 1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 cannot be written: HSES writes network inputs alone.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say “get NAME…” or “set NAME VALUE”.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads model, system software and parameter version.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>In pulses instead of the base frame.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads where the first robot stands.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A list of the history instead: major, minor, user, system or offline.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads the active alarms, newest first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>--history takes major, minor, user, system or offline.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads rows of I/O groups (2701..2710) or signals (27010, IN#(1)); writes one network input.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads registers; writes one and reads it back.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads variables B I D R S P BP EX; writes one and reads it back.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Time between two readings: 1s, 200ms.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>End after so many readings.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads variables, registers (M005) and I/O again and again, one line of JSON with --json.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>--every takes a time such as 200ms or 1s, --count a whole number.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads status, executing job, position and system information once.</source>
+            <translation>Liest Status, laufenden Job, Position und Systeminformationen einmal.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendeskctl::AlarmReader</name>
+        <message>
+            <source>There are no alarms.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>protocol</name>
+        <message>
+            <source>refused with status %1, which is not in the code list</source>
+            <translation>abgelehnt mit Status %1, der nicht in der Codeliste steht</translation>
+        </message>
+        <message>
+            <source>%1 refused, with a code that is not in the code list</source>
+            <translation>%1 abgelehnt, mit einem Code, der nicht in der Codeliste steht</translation>
+        </message>
+        <message>
+            <source>the controller did not answer; nothing was changed</source>
+            <translation>die Steuerung hat nicht geantwortet; nichts wurde geändert</translation>
+        </message>
+        <message>
+            <source>no answer: it may or may not have happened — look at the robot</source>
+            <translation>keine Antwort: Es kann geschehen sein oder auch nicht — nach dem Roboter sehen</translation>
+        </message>
+        <message>
+            <source>the answer does not fit the question</source>
+            <translation>die Antwort passt nicht zur Frage</translation>
+        </message>
+        <message>
+            <source>nothing was sent</source>
+            <translation>nichts wurde gesendet</translation>
+        </message>
+        <message>
+            <source>this computer's network refused</source>
+            <translation>das Netzwerk dieses Rechners hat abgelehnt</translation>
+        </message>
+        <message>
+            <source>this cannot be sent to a controller</source>
+            <translation>das kann nicht an eine Steuerung gesendet werden</translation>
+        </message>
+        <message>
+            <source>a file on this computer could not be read or written</source>
+            <translation>eine Datei auf diesem Rechner konnte nicht gelesen oder geschrieben werden</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>abgebrochen</translation>
+        </message>
+        <message>
+            <source>the command is faulty</source>
+            <translation>der Befehl ist fehlerhaft</translation>
+        </message>
+        <message>
+            <source>the command has the wrong number of operands</source>
+            <translation>der Befehl hat die falsche Anzahl Operanden</translation>
+        </message>
+        <message>
+            <source>an operand is out of its range</source>
+            <translation>ein Operand liegt außerhalb seines Bereichs</translation>
+        </message>
+        <message>
+            <source>an operand has the wrong length</source>
+            <translation>ein Operand hat die falsche Länge</translation>
+        </message>
+        <message>
+            <source>the device holds too many files</source>
+            <translation>das Speichergerät enthält zu viele Dateien</translation>
+        </message>
+        <message>
+            <source>delete files that are not needed</source>
+            <translation>nicht benötigte Dateien löschen</translation>
+        </message>
+        <message>
+            <source>the robot is running</source>
+            <translation>der Roboter läuft</translation>
+        </message>
+        <message>
+            <source>wait until it has stopped, or hold it</source>
+            <translation>warten, bis er steht, oder ihn mit HOLD anhalten</translation>
+        </message>
+        <message>
+            <source>held by the pendant</source>
+            <translation>vom Programmierhandgerät gehalten</translation>
+        </message>
+        <message>
+            <source>release HOLD on the pendant</source>
+            <translation>HOLD am Programmierhandgerät aufheben</translation>
+        </message>
+        <message>
+            <source>held by the playback panel</source>
+            <translation>vom Playback-Bedienfeld gehalten</translation>
+        </message>
+        <message>
+            <source>release HOLD on the panel or pendant</source>
+            <translation>HOLD am Bedienfeld oder Programmierhandgerät aufheben</translation>
+        </message>
+        <message>
+            <source>held by an external signal</source>
+            <translation>von einem externen Signal gehalten</translation>
+        </message>
+        <message>
+            <source>release the external hold signal</source>
+            <translation>das externe Hold-Signal aufheben</translation>
+        </message>
+        <message>
+            <source>held by a command</source>
+            <translation>von einem Befehl gehalten</translation>
+        </message>
+        <message>
+            <source>switch HOLD off</source>
+            <translation>HOLD ausschalten</translation>
+        </message>
+        <message>
+            <source>an alarm or error is present</source>
+            <translation>ein Alarm oder Fehler steht an</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset the alarm</source>
+            <translation>die Ursache beheben, dann den Alarm zurücksetzen</translation>
+        </message>
+        <message>
+            <source>servo power is off</source>
+            <translation>die Servoleistung ist aus</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>Servo einschalten</translation>
+        </message>
+        <message>
+            <source>the controller is in the wrong mode</source>
+            <translation>die Steuerung ist in der falschen Betriebsart</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to the mode needed, usually PLAY in REMOTE</source>
+            <translation>den Schlüsselschalter des Programmierhandgeräts in die nötige Betriebsart drehen, meist PLAY in REMOTE</translation>
+        </message>
+        <message>
+            <source>the files are in use by another function</source>
+            <translation>eine andere Funktion benutzt die Dateien</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>gleich noch einmal versuchen</translation>
+        </message>
+        <message>
+            <source>command remote is not enabled</source>
+            <translation>CMD REMOTE ist nicht freigegeben</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and enable command remote</source>
+            <translation>den Schlüsselschalter des Programmierhandgeräts auf REMOTE drehen und CMD REMOTE freigeben</translation>
+        </message>
+        <message>
+            <source>this data may not be accessed</source>
+            <translation>auf diese Daten darf nicht zugegriffen werden</translation>
+        </message>
+        <message>
+            <source>check the security mode and the data protection on the pendant</source>
+            <translation>am Programmierhandgerät den Sicherheitsmodus und den Datenschutz prüfen</translation>
+        </message>
+        <message>
+            <source>this data may not be loaded</source>
+            <translation>diese Daten dürfen nicht geladen werden</translation>
+        </message>
+        <message>
+            <source>the data is being edited</source>
+            <translation>die Daten werden gerade bearbeitet</translation>
+        </message>
+        <message>
+            <source>leave the editor on the pendant</source>
+            <translation>den Editor am Programmierhandgerät verlassen</translation>
+        </message>
+        <message>
+            <source>a coordinate conversion is in progress</source>
+            <translation>eine Koordinatenumrechnung läuft</translation>
+        </message>
+        <message>
+            <source>try again when it has ended</source>
+            <translation>noch einmal versuchen, wenn sie beendet ist</translation>
+        </message>
+        <message>
+            <source>servo power must be on first</source>
+            <translation>die Servoleistung muss zuerst eingeschaltet sein</translation>
+        </message>
+        <message>
+            <source>the home position must be set or checked</source>
+            <translation>die Home-Position muss gesetzt oder geprüft werden</translation>
+        </message>
+        <message>
+            <source>check the home position on the pendant</source>
+            <translation>die Home-Position am Programmierhandgerät prüfen</translation>
+        </message>
+        <message>
+            <source>the position must be checked</source>
+            <translation>die Position muss geprüft werden</translation>
+        </message>
+        <message>
+            <source>confirm the position on the pendant</source>
+            <translation>die Position am Programmierhandgerät bestätigen</translation>
+        </message>
+        <message>
+            <source>the present position is not available</source>
+            <translation>die aktuelle Position ist nicht verfügbar</translation>
+        </message>
+        <message>
+            <source>the panel lock prohibits a change of mode or cycle</source>
+            <translation>die Bedienfeldsperre verbietet einen Wechsel von Betriebsart oder Zyklus</translation>
+        </message>
+        <message>
+            <source>release the panel lock</source>
+            <translation>die Bedienfeldsperre aufheben</translation>
+        </message>
+        <message>
+            <source>the panel lock prohibits a start</source>
+            <translation>die Bedienfeldsperre verbietet einen Start</translation>
+        </message>
+        <message>
+            <source>the user frame is not taught</source>
+            <translation>das Benutzerkoordinatensystem ist nicht geteacht</translation>
+        </message>
+        <message>
+            <source>teach the user frame</source>
+            <translation>das Benutzerkoordinatensystem teachen</translation>
+        </message>
+        <message>
+            <source>the user frame data is damaged</source>
+            <translation>die Daten des Benutzerkoordinatensystems sind beschädigt</translation>
+        </message>
+        <message>
+            <source>teach the user frame again</source>
+            <translation>das Benutzerkoordinatensystem neu teachen</translation>
+        </message>
+        <message>
+            <source>the control group is wrong</source>
+            <translation>die Achsgruppe ist falsch</translation>
+        </message>
+        <message>
+            <source>choose a control group that this controller has</source>
+            <translation>eine Achsgruppe wählen, die diese Steuerung hat</translation>
+        </message>
+        <message>
+            <source>the base axis data is wrong</source>
+            <translation>die Daten der Basisachsen sind falsch</translation>
+        </message>
+        <message>
+            <source>a relative job may not be converted</source>
+            <translation>ein Relativjob darf nicht umgewandelt werden</translation>
+        </message>
+        <message>
+            <source>permit the conversion on the pendant</source>
+            <translation>die Umwandlung am Programmierhandgerät zulassen</translation>
+        </message>
+        <message>
+            <source>a parameter prohibits calling the master job</source>
+            <translation>ein Parameter verbietet den Aufruf des Masterjobs</translation>
+        </message>
+        <message>
+            <source>permit the master call on the pendant</source>
+            <translation>den Masteraufruf am Programmierhandgerät zulassen</translation>
+        </message>
+        <message>
+            <source>the master job may not be called while operating</source>
+            <translation>der Masterjob darf während des Betriebs nicht aufgerufen werden</translation>
+        </message>
+        <message>
+            <source>wait until the operation has ended</source>
+            <translation>warten, bis der Betrieb beendet ist</translation>
+        </message>
+        <message>
+            <source>the teach lock prohibits calling the master job</source>
+            <translation>die Teach-Sperre verbietet den Aufruf des Masterjobs</translation>
+        </message>
+        <message>
+            <source>release the teach lock</source>
+            <translation>die Teach-Sperre aufheben</translation>
+        </message>
+        <message>
+            <source>robot calibration data is missing</source>
+            <translation>Daten der Roboterkalibrierung fehlen</translation>
+        </message>
+        <message>
+            <source>calibrate the robots</source>
+            <translation>die Roboter kalibrieren</translation>
+        </message>
+        <message>
+            <source>servo power cannot be switched on</source>
+            <translation>die Servoleistung lässt sich nicht einschalten</translation>
+        </message>
+        <message>
+            <source>check the safety chain: emergency stop, safeguards, alarms</source>
+            <translation>den Sicherheitskreis prüfen: Not-Halt, Schutzeinrichtungen, Alarme</translation>
+        </message>
+        <message>
+            <source>the coordinate system cannot be set</source>
+            <translation>das Koordinatensystem kann nicht gesetzt werden</translation>
+        </message>
+        <message>
+            <source>no memory is left for jobs</source>
+            <translation>für Jobs ist kein Speicher mehr frei</translation>
+        </message>
+        <message>
+            <source>delete jobs that are not needed</source>
+            <translation>nicht benötigte Jobs löschen</translation>
+        </message>
+        <message>
+            <source>no memory is left for position data</source>
+            <translation>für Positionsdaten ist kein Speicher mehr frei</translation>
+        </message>
+        <message>
+            <source>editing of this job is prohibited</source>
+            <translation>das Bearbeiten dieses Jobs ist verboten</translation>
+        </message>
+        <message>
+            <source>remove the edit lock of the job</source>
+            <translation>die Bearbeitungssperre des Jobs aufheben</translation>
+        </message>
+        <message>
+            <source>a job of that name exists</source>
+            <translation>ein Job dieses Namens existiert schon</translation>
+        </message>
+        <message>
+            <source>delete or rename it, or permit overwriting</source>
+            <translation>ihn löschen oder umbenennen, oder Überschreiben zulassen</translation>
+        </message>
+        <message>
+            <source>the job was not found</source>
+            <translation>der Job wurde nicht gefunden</translation>
+        </message>
+        <message>
+            <source>check the job name</source>
+            <translation>den Jobnamen prüfen</translation>
+        </message>
+        <message>
+            <source>no job is set for execution</source>
+            <translation>kein Job ist zur Ausführung gesetzt</translation>
+        </message>
+        <message>
+            <source>select a job first</source>
+            <translation>zuerst einen Job wählen</translation>
+        </message>
+        <message>
+            <source>position data is damaged</source>
+            <translation>Positionsdaten sind beschädigt</translation>
+        </message>
+        <message>
+            <source>load the job again from a backup</source>
+            <translation>den Job erneut aus einer Sicherung laden</translation>
+        </message>
+        <message>
+            <source>position data is missing</source>
+            <translation>Positionsdaten fehlen</translation>
+        </message>
+        <message>
+            <source>teach the missing position</source>
+            <translation>die fehlende Position teachen</translation>
+        </message>
+        <message>
+            <source>the position variable has the wrong type</source>
+            <translation>die Positionsvariable hat den falschen Typ</translation>
+        </message>
+        <message>
+            <source>write the type that the variable is declared with</source>
+            <translation>den Typ schreiben, mit dem die Variable deklariert ist</translation>
+        </message>
+        <message>
+            <source>END was reached in a job that is not the master</source>
+            <translation>END wurde in einem Job erreicht, der nicht der Masterjob ist</translation>
+        </message>
+        <message>
+            <source>instruction data is damaged</source>
+            <translation>Anweisungsdaten sind beschädigt</translation>
+        </message>
+        <message>
+            <source>the job name has a character that is not allowed</source>
+            <translation>der Jobname enthält ein unzulässiges Zeichen</translation>
+        </message>
+        <message>
+            <source>rename the job</source>
+            <translation>den Job umbenennen</translation>
+        </message>
+        <message>
+            <source>a label has a character that is not allowed</source>
+            <translation>eine Marke enthält ein unzulässiges Zeichen</translation>
+        </message>
+        <message>
+            <source>rename the label</source>
+            <translation>die Marke umbenennen</translation>
+        </message>
+        <message>
+            <source>this system does not have the instruction</source>
+            <translation>dieses System kennt die Anweisung nicht</translation>
+        </message>
+        <message>
+            <source>the job to convert has no steps</source>
+            <translation>der umzuwandelnde Job hat keine Schritte</translation>
+        </message>
+        <message>
+            <source>the job is converted already</source>
+            <translation>der Job ist bereits umgewandelt</translation>
+        </message>
+        <message>
+            <source>the user frame must be taught</source>
+            <translation>das Benutzerkoordinatensystem muss geteacht werden</translation>
+        </message>
+        <message>
+            <source>relative jobs or independent control are not permitted</source>
+            <translation>Relativjobs oder unabhängige Steuerung sind nicht zugelassen</translation>
+        </message>
+        <message>
+            <source>an instruction has a syntax error</source>
+            <translation>eine Anweisung hat einen Syntaxfehler</translation>
+        </message>
+        <message>
+            <source>correct the instruction</source>
+            <translation>die Anweisung berichtigen</translation>
+        </message>
+        <message>
+            <source>the position data has an error</source>
+            <translation>die Positionsdaten haben einen Fehler</translation>
+        </message>
+        <message>
+            <source>correct the position section</source>
+            <translation>den Positionsabschnitt berichtigen</translation>
+        </message>
+        <message>
+            <source>NOP or END is missing</source>
+            <translation>NOP oder END fehlt</translation>
+        </message>
+        <message>
+            <source>begin the instructions with NOP and end them with END</source>
+            <translation>die Anweisungen mit NOP beginnen und mit END beenden</translation>
+        </message>
+        <message>
+            <source>the format is wrong</source>
+            <translation>das Format ist falsch</translation>
+        </message>
+        <message>
+            <source>the number of data is wrong</source>
+            <translation>die Anzahl der Daten ist falsch</translation>
+        </message>
+        <message>
+            <source>correct the counts in the NPOS line</source>
+            <translation>die Anzahlen in der Zeile NPOS berichtigen</translation>
+        </message>
+        <message>
+            <source>a value is out of range</source>
+            <translation>ein Wert liegt außerhalb des Bereichs</translation>
+        </message>
+        <message>
+            <source>correct the value</source>
+            <translation>den Wert berichtigen</translation>
+        </message>
+        <message>
+            <source>there is a syntax error outside the instructions</source>
+            <translation>außerhalb der Anweisungen ist ein Syntaxfehler</translation>
+        </message>
+        <message>
+            <source>correct the header of the file</source>
+            <translation>den Kopf der Datei berichtigen</translation>
+        </message>
+        <message>
+            <source>a pseudo instruction is wrong</source>
+            <translation>eine Pseudoanweisung ist falsch</translation>
+        </message>
+        <message>
+            <source>correct the line that starts with slashes</source>
+            <translation>die Zeile berichtigen, die mit Schrägstrichen beginnt</translation>
+        </message>
+        <message>
+            <source>a record of a condition file has an error</source>
+            <translation>ein Datensatz einer Bedingungsdatei hat einen Fehler</translation>
+        </message>
+        <message>
+            <source>a record of a job has an error</source>
+            <translation>ein Datensatz eines Jobs hat einen Fehler</translation>
+        </message>
+        <message>
+            <source>the data comes from a different system</source>
+            <translation>die Daten stammen von einem anderen System</translation>
+        </message>
+        <message>
+            <source>the welding type does not match</source>
+            <translation>die Schweißart passt nicht</translation>
+        </message>
+        <message>
+            <source>the robot or station is operating</source>
+            <translation>der Roboter oder die Station ist in Betrieb</translation>
+        </message>
+        <message>
+            <source>back up when nothing moves</source>
+            <translation>sichern, wenn sich nichts bewegt</translation>
+        </message>
+        <message>
+            <source>the device has too little memory</source>
+            <translation>das Speichergerät hat zu wenig Speicher</translation>
+        </message>
+        <message>
+            <source>free memory on the device or use a larger one</source>
+            <translation>auf dem Speichergerät Platz schaffen oder ein größeres benutzen</translation>
+        </message>
+        <message>
+            <source>the device cannot be accessed</source>
+            <translation>auf das Speichergerät kann nicht zugegriffen werden</translation>
+        </message>
+        <message>
+            <source>check that the device is inserted</source>
+            <translation>prüfen, ob das Speichergerät eingesteckt ist</translation>
+        </message>
+        <message>
+            <source>a backup was not expected now</source>
+            <translation>eine Sicherung wurde jetzt nicht erwartet</translation>
+        </message>
+        <message>
+            <source>the image is larger than the RAM area</source>
+            <translation>das Abbild ist größer als der RAM-Bereich</translation>
+        </message>
+        <message>
+            <source>enlarge the RAM area for backups</source>
+            <translation>den RAM-Bereich für Sicherungen vergrößern</translation>
+        </message>
+        <message>
+            <source>no memory was reserved at power-on</source>
+            <translation>beim Einschalten wurde kein Speicher reserviert</translation>
+        </message>
+        <message>
+            <source>switch the controller off and on</source>
+            <translation>die Steuerung aus- und wieder einschalten</translation>
+        </message>
+        <message>
+            <source>the backup file information cannot be accessed</source>
+            <translation>auf die Angaben zur Sicherungsdatei kann nicht zugegriffen werden</translation>
+        </message>
+        <message>
+            <source>the old backup could not be removed</source>
+            <translation>die alte Sicherung konnte nicht entfernt werden</translation>
+        </message>
+        <message>
+            <source>the backup could not be renamed</source>
+            <translation>die Sicherung konnte nicht umbenannt werden</translation>
+        </message>
+        <message>
+            <source>the drive name is too long</source>
+            <translation>der Laufwerksname ist zu lang</translation>
+        </message>
+        <message>
+            <source>the device is the wrong one</source>
+            <translation>es ist das falsche Speichergerät</translation>
+        </message>
+        <message>
+            <source>set the automatic backup to the RAM disk</source>
+            <translation>die automatische Sicherung auf die RAM-Disk einstellen</translation>
+        </message>
+        <message>
+            <source>a system error occurred</source>
+            <translation>ein Systemfehler ist aufgetreten</translation>
+        </message>
+        <message>
+            <source>automatic backup is not available</source>
+            <translation>automatische Sicherung ist nicht verfügbar</translation>
+        </message>
+        <message>
+            <source>set up automatic backup on the pendant</source>
+            <translation>die automatische Sicherung am Programmierhandgerät einrichten</translation>
+        </message>
+        <message>
+            <source>an automatic backup is running</source>
+            <translation>eine automatische Sicherung läuft</translation>
+        </message>
+        <message>
+            <source>the controller does not know this command</source>
+            <translation>die Steuerung kennt diesen Befehl nicht</translation>
+        </message>
+        <message>
+            <source>the number does not exist on this controller</source>
+            <translation>die Nummer gibt es auf dieser Steuerung nicht</translation>
+        </message>
+        <message>
+            <source>check the number and the variable numbering</source>
+            <translation>die Nummer und die Variablennummerierung prüfen</translation>
+        </message>
+        <message>
+            <source>the element does not exist on this controller</source>
+            <translation>das Element gibt es auf dieser Steuerung nicht</translation>
+        </message>
+        <message>
+            <source>the reply would be too large for the hardware</source>
+            <translation>die Antwort wäre für die Hardware zu groß</translation>
+        </message>
+        <message>
+            <source>ask for less at once</source>
+            <translation>weniger auf einmal anfragen</translation>
+        </message>
+        <message>
+            <source>the reply would be too large</source>
+            <translation>die Antwort wäre zu groß</translation>
+        </message>
+        <message>
+            <source>the position variable is not defined</source>
+            <translation>die Positionsvariable ist nicht definiert</translation>
+        </message>
+        <message>
+            <source>teach or write it first</source>
+            <translation>sie zuerst teachen oder schreiben</translation>
+        </message>
+        <message>
+            <source>this data may not be used</source>
+            <translation>diese Daten dürfen nicht benutzt werden</translation>
+        </message>
+        <message>
+            <source>the size of the request data is wrong</source>
+            <translation>die Größe der Anfragedaten ist falsch</translation>
+        </message>
+        <message>
+            <source>the data is not set</source>
+            <translation>die Daten sind nicht gesetzt</translation>
+        </message>
+        <message>
+            <source>set it first</source>
+            <translation>sie zuerst setzen</translation>
+        </message>
+        <message>
+            <source>the application is not registered</source>
+            <translation>die Anwendung ist nicht registriert</translation>
+        </message>
+        <message>
+            <source>the type is not registered</source>
+            <translation>der Typ ist nicht registriert</translation>
+        </message>
+        <message>
+            <source>the control group setting is wrong</source>
+            <translation>die Einstellung der Achsgruppe ist falsch</translation>
+        </message>
+        <message>
+            <source>name either robots or stations that this controller has</source>
+            <translation>entweder Roboter oder Stationen angeben, die diese Steuerung hat</translation>
+        </message>
+        <message>
+            <source>the speed setting is wrong</source>
+            <translation>die Einstellung der Geschwindigkeit ist falsch</translation>
+        </message>
+        <message>
+            <source>use percent for joint and mm/s or °/s for straight moves</source>
+            <translation>Prozent für Achsbewegungen und mm/s oder °/s für geradlinige Bewegungen benutzen</translation>
+        </message>
+        <message>
+            <source>no speed is given</source>
+            <translation>es ist keine Geschwindigkeit angegeben</translation>
+        </message>
+        <message>
+            <source>give a speed above 0</source>
+            <translation>eine Geschwindigkeit über 0 angeben</translation>
+        </message>
+        <message>
+            <source>the coordinate system setting is wrong</source>
+            <translation>die Einstellung des Koordinatensystems ist falsch</translation>
+        </message>
+        <message>
+            <source>the type or form setting is wrong</source>
+            <translation>die Einstellung von Typ oder Stellung ist falsch</translation>
+        </message>
+        <message>
+            <source>the tool number is wrong</source>
+            <translation>die Werkzeugnummer ist falsch</translation>
+        </message>
+        <message>
+            <source>use 0 to 63</source>
+            <translation>0 bis 63 benutzen</translation>
+        </message>
+        <message>
+            <source>the user frame number is wrong</source>
+            <translation>die Nummer des Benutzerkoordinatensystems ist falsch</translation>
+        </message>
+        <message>
+            <source>use 1 to 63 with a user frame, else 0</source>
+            <translation>mit einem Benutzerkoordinatensystem 1 bis 63 benutzen, sonst 0</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: data area</source>
+            <translation>interner Fehler der Steuerung: Datenbereich</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: reply area exceeded</source>
+            <translation>interner Fehler der Steuerung: Antwortbereich überschritten</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: element size mismatch</source>
+            <translation>interner Fehler der Steuerung: Elementgröße stimmt nicht überein</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: customised function</source>
+            <translation>interner Fehler der Steuerung: kundenspezifische Funktion</translation>
+        </message>
+        <message>
+            <source>another error</source>
+            <translation>ein anderer Fehler</translation>
+        </message>
+        <message>
+            <source>busy with another command</source>
+            <translation>mit einem anderen Befehl beschäftigt</translation>
+        </message>
+        <message>
+            <source>another access is in progress</source>
+            <translation>ein anderer Zugriff läuft</translation>
+        </message>
+        <message>
+            <source>the backup parameter setting is wrong</source>
+            <translation>die Einstellung der Sicherungsparameter ist falsch</translation>
+        </message>
+        <message>
+            <source>the backup file was not created</source>
+            <translation>die Sicherungsdatei wurde nicht angelegt</translation>
+        </message>
+        <message>
+            <source>check that the controller is in remote mode</source>
+            <translation>prüfen, ob die Steuerung in REMOTE ist</translation>
+        </message>
+        <message>
+            <source>internal system error of the controller</source>
+            <translation>interner Systemfehler der Steuerung</translation>
+        </message>
+        <message>
+            <source>the transfer was dropped: nothing came in time</source>
+            <translation>die Übertragung wurde abgebrochen: Es kam nicht rechtzeitig etwas an</translation>
+        </message>
+        <message>
+            <source>start the transfer again</source>
+            <translation>die Übertragung erneut starten</translation>
+        </message>
+        <message>
+            <source>the file cannot be overwritten</source>
+            <translation>die Datei kann nicht überschrieben werden</translation>
+        </message>
+        <message>
+            <source>permit overwriting, or delete the file first</source>
+            <translation>Überschreiben zulassen oder die Datei zuerst löschen</translation>
+        </message>
+        <message>
+            <source>the file is missing or empty</source>
+            <translation>die Datei fehlt oder ist leer</translation>
+        </message>
+        <message>
+            <source>check the file name</source>
+            <translation>den Dateinamen prüfen</translation>
+        </message>
+        <message>
+            <source>the path is wrong</source>
+            <translation>der Pfad ist falsch</translation>
+        </message>
+        <message>
+            <source>check the path</source>
+            <translation>den Pfad prüfen</translation>
+        </message>
+        <message>
+            <source>the file is not in the list</source>
+            <translation>die Datei ist nicht in der Liste</translation>
+        </message>
+        <message>
+            <source>the file may not be deleted</source>
+            <translation>die Datei darf nicht gelöscht werden</translation>
+        </message>
+        <message>
+            <source>the directory may not be deleted</source>
+            <translation>das Verzeichnis darf nicht gelöscht werden</translation>
+        </message>
+        <message>
+            <source>files cannot be accessed while remote is off</source>
+            <translation>auf Dateien kann nicht zugegriffen werden, solange REMOTE aus ist</translation>
+        </message>
+        <message>
+            <source>the file was not found</source>
+            <translation>die Datei wurde nicht gefunden</translation>
+        </message>
+        <message>
+            <source>the path is too long</source>
+            <translation>der Pfad ist zu lang</translation>
+        </message>
+        <message>
+            <source>use a shorter name</source>
+            <translation>einen kürzeren Namen benutzen</translation>
+        </message>
+        <message>
+            <source>packet without data</source>
+            <translation>Paket ohne Daten</translation>
+        </message>
+        <message>
+            <source>packet too large</source>
+            <translation>Paket zu groß</translation>
+        </message>
+        <message>
+            <source>packet of size 0</source>
+            <translation>Paket der Größe 0</translation>
+        </message>
+        <message>
+            <source>packet with a wrong block number</source>
+            <translation>Paket mit falscher Blocknummer</translation>
+        </message>
+        <message>
+            <source>packet with a wrong ACK byte</source>
+            <translation>Paket mit falschem ACK-Byte</translation>
+        </message>
+        <message>
+            <source>packet of a wrong division</source>
+            <translation>Paket des falschen Verarbeitungsbereichs</translation>
+        </message>
+        <message>
+            <source>check that robot and file port are not exchanged</source>
+            <translation>prüfen, ob Roboter- und Dateiport vertauscht sind</translation>
+        </message>
+        <message>
+            <source>packet with a wrong access level</source>
+            <translation>Paket mit falscher Zugriffsebene</translation>
+        </message>
+        <message>
+            <source>packet with a wrong header size</source>
+            <translation>Paket mit falscher Kopfgröße</translation>
+        </message>
+        <message>
+            <source>packet with a wrong identifier</source>
+            <translation>Paket mit falscher Kennung</translation>
+        </message>
+        <message>
+            <source>announced and received packet sizes differ</source>
+            <translation>angekündigte und empfangene Paketgröße stimmen nicht überein</translation>
+        </message>
+        <message>
+            <source>too many requests</source>
+            <translation>zu viele Anfragen</translation>
+        </message>
+        <message>
+            <source>ask less often, or try again in a moment</source>
+            <translation>seltener anfragen oder gleich noch einmal versuchen</translation>
+        </message>
+        <message>
+            <source>the mode was changed and the communication dropped</source>
+            <translation>die Betriebsart wurde gewechselt und die Kommunikation abgebrochen</translation>
+        </message>
+        <message>
+            <source>start again in the new mode</source>
+            <translation>in der neuen Betriebsart neu beginnen</translation>
+        </message>
+    </context>
+    <context>
+        <name>robot::Controller</name>
+        <message>
+            <source>The name %1 is not known to this computer.</source>
+            <translation>Der Name %1 ist diesem Rechner nicht bekannt.</translation>
+        </message>
+    </context>
+    <context>
+        <name>robot::Diagnosis</name>
+        <message>
+            <source>Host name</source>
+            <translation>Hostname</translation>
+        </message>
+        <message>
+            <source>Way to the host</source>
+            <translation>Weg zum Host</translation>
+        </message>
+        <message>
+            <source>Robot port</source>
+            <translation>Roboterport</translation>
+        </message>
+        <message>
+            <source>System information</source>
+            <translation>Systeminformationen</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>Dateiport</translation>
+        </message>
+        <message>
+            <source>Not looked at, because the step before it failed.</source>
+            <translation>Nicht geprüft, weil der Schritt davor fehlgeschlagen ist.</translation>
+        </message>
+        <message>
+            <source>The name “%1” has no IPv4 address on this computer.</source>
+            <translation>Der Name „%1“ hat auf diesem Rechner keine IPv4-Adresse.</translation>
+        </message>
+        <message>
+            <source>Check the spelling, or enter the controller's IPv4 address as the pendant shows it.</source>
+            <translation>Prüfen Sie die Schreibweise, oder geben Sie die IPv4-Adresse der Steuerung so ein, wie das Programmierhandgerät sie zeigt.</translation>
+        </message>
+        <message>
+            <source>%1 is %2.</source>
+            <translation>%1 ist %2.</translation>
+        </message>
+        <message>
+            <source>This computer cannot send to %1: %2.</source>
+            <translation>Dieser Rechner kann nicht an %1 senden: %2.</translation>
+        </message>
+        <message>
+            <source>Check the cable and this computer's IPv4 address: it must be in the controller's network.</source>
+            <translation>Prüfen Sie das Kabel und die IPv4-Adresse dieses Rechners: Sie muss im Netzwerk der Steuerung liegen.</translation>
+        </message>
+        <message>
+            <source>This computer can send to %1.</source>
+            <translation>Dieser Rechner kann an %1 senden.</translation>
+        </message>
+        <message>
+            <source>Port %1 answers with a status.</source>
+            <translation>Port %1 antwortet mit einem Status.</translation>
+        </message>
+        <message>
+            <source>Port %1 answers but refuses to tell the status: %2</source>
+            <translation>Port %1 antwortet, verweigert aber den Status: %2</translation>
+        </message>
+        <message>
+            <source>Check on the pendant that the network function server is enabled for this computer.</source>
+            <translation>Prüfen Sie am Programmierhandgerät, ob der Netzwerkfunktionsserver für diesen Rechner freigegeben ist.</translation>
+        </message>
+        <message>
+            <source>Answers come from another address than %1; they are ignored.</source>
+            <translation>Antworten kommen von einer anderen Adresse als %1; sie werden nicht beachtet.</translation>
+        </message>
+        <message>
+            <source>Look for a second network card or an address translation between this computer and the controller.</source>
+            <translation>Suchen Sie nach einer zweiten Netzwerkkarte oder einer Adressumsetzung zwischen diesem Rechner und der Steuerung.</translation>
+        </message>
+        <message>
+            <source>Something answers at port %1, but not with HSES.</source>
+            <translation>An Port %1 antwortet etwas, aber nicht mit HSES.</translation>
+        </message>
+        <message>
+            <source>Check the address and the port: HSES is UDP %1 on a controller.</source>
+            <translation>Prüfen Sie die Adresse und den Port: HSES ist auf einer Steuerung UDP %1.</translation>
+        </message>
+        <message>
+            <source>The host rejects port %1: %2.</source>
+            <translation>Der Host weist Port %1 zurück: %2.</translation>
+        </message>
+        <message>
+            <source>The host is there, but no HSES server: enable the Ethernet server function on the controller.</source>
+            <translation>Der Host ist da, aber kein HSES-Server: Schalten Sie die Ethernet-Server-Funktion an der Steuerung ein.</translation>
+        </message>
+        <message>
+            <source>Port %1 stays silent.</source>
+            <translation>Port %1 bleibt stumm.</translation>
+        </message>
+        <message>
+            <source>Check that the controller is on, that its Ethernet server function is enabled and that no firewall drops UDP %1.</source>
+            <translation>Prüfen Sie, ob die Steuerung eingeschaltet ist, ob ihre Ethernet-Server-Funktion freigegeben ist und ob keine Firewall UDP %1 verwirft.</translation>
+        </message>
+        <message>
+            <source>The controller runs %1.</source>
+            <translation>Auf der Steuerung läuft %1.</translation>
+        </message>
+        <message>
+            <source>The controller does not tell its system information: %1</source>
+            <translation>Die Steuerung nennt ihre Systeminformationen nicht: %1</translation>
+        </message>
+        <message>
+            <source>Pendesk monitors only a controller that says what it is. Ask its maker for the HSES option.</source>
+            <translation>Pendesk beobachtet nur eine Steuerung, die sagt, was sie ist. Fragen Sie ihren Hersteller nach der Option HSES.</translation>
+        </message>
+        <message>
+            <source>Port %1 stays silent: files are unavailable, monitoring works.</source>
+            <translation>Port %1 bleibt stumm: Dateien sind nicht verfügbar, Beobachten funktioniert.</translation>
+        </message>
+        <message>
+            <source>Check that no firewall drops UDP %1.</source>
+            <translation>Prüfen Sie, ob keine Firewall UDP %1 verwirft.</translation>
+        </message>
+        <message>
+            <source>Port %1 answers.</source>
+            <translation>Port %1 antwortet.</translation>
+        </message>
+    </context>
+    <context>
+        <name>session::FileSession</name>
+        <message>
+            <source>An empty file cannot be sent over HSES.</source>
+            <translation>Eine leere Datei kann nicht über HSES gesendet werden.</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings</name>
+        <message>
+            <source>%1 must be a whole number from %2 to %3.</source>
+            <translation>%1 muss eine ganze Zahl von %2 bis %3 sein.</translation>
+        </message>
+        <message>
+            <source>The model “%1” is not known.</source>
+            <translation>Das Modell „%1“ ist nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>The text encoding “%1” is not known.</source>
+            <translation>Die Textkodierung „%1“ ist nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>The variable numbering must be 0 or 1.</source>
+            <translation>Die Variablennummerierung muss 0 oder 1 sein.</translation>
+        </message>
+        <message>
+            <source>Pulses per degree must be lists of numbers, one list for each control group.</source>
+            <translation>Impulse pro Grad müssen Listen von Zahlen sein, eine Liste für jede Achsgruppe.</translation>
+        </message>
+        <message>
+            <source>The profile needs a name.</source>
+            <translation>Das Profil braucht einen Namen.</translation>
+        </message>
+        <message>
+            <source>The profile needs the controller's host name or IPv4 address.</source>
+            <translation>Das Profil braucht den Hostnamen oder die IPv4-Adresse der Steuerung.</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings::CommandLine</name>
+        <message>
+            <source>--%1 must be a whole number from 1 to 65535.</source>
+            <translation>--%1 muss eine ganze Zahl von 1 bis 65535 sein.</translation>
+        </message>
+        <message>
+            <source>--timeout takes a time such as 300ms or 1s.</source>
+            <translation>--timeout erwartet eine Zeit wie 300ms oder 1s.</translation>
+        </message>
+        <message>
+            <source>There is no controller stored under the name “%1”.</source>
+            <translation>Unter dem Namen „%1“ ist keine Steuerung gespeichert.</translation>
+        </message>
+        <message>
+            <source>Connect to the controller with this name or IPv4 address.</source>
+            <translation>Mit der Steuerung dieses Namens oder dieser IPv4-Adresse verbinden.</translation>
+        </message>
+        <message>
+            <source>Its port for robot control, 10040 unless told otherwise.</source>
+            <translation>Port der Steuerung für Roboterbefehle, ohne Angabe 10040.</translation>
+        </message>
+        <message>
+            <source>Its port for file control, 10041 unless told otherwise.</source>
+            <translation>Port der Steuerung für Dateien, ohne Angabe 10041.</translation>
+        </message>
+        <message>
+            <source>Connect to the controller that is stored under this name.</source>
+            <translation>Mit der Steuerung verbinden, die unter diesem Namen gespeichert ist.</translation>
+        </message>
+        <message>
+            <source>How long to wait for one try of a read: 300ms, 1s.</source>
+            <translation>Wie lange auf einen Leseversuch gewartet wird: 300ms, 1s.</translation>
+        </message>
+        <message>
+            <source>--%1 needs --host or --profile.</source>
+            <translation>--%1 braucht --host oder --profile.</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings::Profile</name>
+        <message>
+            <source>Port</source>
+            <translation>Port</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>Dateiport</translation>
+        </message>
+        <message>
+            <source>Read time-out</source>
+            <translation>Zeitlimit Lesen</translation>
+        </message>
+        <message>
+            <source>File time-out</source>
+            <translation>Zeitlimit Dateien</translation>
+        </message>
+        <message>
+            <source>Servo time-out</source>
+            <translation>Zeitlimit Servo</translation>
+        </message>
+        <message>
+            <source>Repeats of a read</source>
+            <translation>Wiederholungen beim Lesen</translation>
+        </message>
+        <message>
+            <source>Requests outstanding at once</source>
+            <translation>Gleichzeitig offene Anfragen</translation>
+        </message>
+        <message>
+            <source>Requests a second</source>
+            <translation>Anfragen pro Sekunde</translation>
+        </message>
+    </context>
+    <context>
+        <name>trend</name>
+        <message>
+            <source>Alarm %1 [%2] %3</source>
+            <translation>Alarm %1 [%2] %3</translation>
+        </message>
+        <message>
+            <source>Job %1</source>
+            <translation>Job %1</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarm</translation>
+        </message>
+        <message>
+            <source>Step mode</source>
+            <translation>Schrittbetrieb</translation>
+        </message>
+        <message>
+            <source>One cycle</source>
+            <translation>Ein Zyklus</translation>
+        </message>
+        <message>
+            <source>Continuous</source>
+            <translation>Dauerlauf</translation>
+        </message>
+        <message>
+            <source>Running</source>
+            <translation>Läuft</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>Geschwindigkeitsgrenze</translation>
+        </message>
+        <message>
+            <source>TEACH</source>
+            <translation>TEACH</translation>
+        </message>
+        <message>
+            <source>PLAY</source>
+            <translation>PLAY</translation>
+        </message>
+        <message>
+            <source>REMOTE</source>
+            <translation>REMOTE</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>Vom Programmierhandgerät gehalten</translation>
+        </message>
+        <message>
+            <source>Held externally</source>
+            <translation>Extern gehalten</translation>
+        </message>
+        <message>
+            <source>Held by command</source>
+            <translation>Durch Befehl gehalten</translation>
+        </message>
+        <message>
+            <source>Alarm active</source>
+            <translation>Alarm steht an</translation>
+        </message>
+        <message>
+            <source>Error active</source>
+            <translation>Fehler steht an</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>Servo ein</translation>
+        </message>
+        <message>
+            <source>Job line</source>
+            <translation>Jobzeile</translation>
+        </message>
+        <message>
+            <source>Job step</source>
+            <translation>Jobschritt</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>Geschwindigkeits-Override</translation>
+        </message>
+        <message>
+            <source>%1, sub task %2</source>
+            <translation>%1, Subtask %2</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>%1 %2 following error</source>
+            <translation>%1 %2 Schleppfehler</translation>
+        </message>
+        <message>
+            <source>%1 %2 torque</source>
+            <translation>%1 %2 Drehmoment</translation>
+        </message>
+        <message>
+            <source>%1 %2 encoder temperature</source>
+            <translation>%1 %2 Gebertemperatur</translation>
+        </message>
+        <message>
+            <source>pulses</source>
+            <translation>Impulse</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>%</source>
+            <translation>%</translation>
+        </message>
+        <message>
+            <source>°C</source>
+            <translation>°C</translation>
+        </message>
+        <message>
+            <source>h</source>
+            <translation>h</translation>
+        </message>
+        <message>
+            <source>Converter temperature, board %1</source>
+            <translation>Umrichtertemperatur, Platine %1</translation>
+        </message>
+        <message>
+            <source>Running time %1</source>
+            <translation>Laufzeit %1</translation>
+        </message>
+        <message>
+            <source>Alarm code %1</source>
+            <translation>Alarmcode %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::AccessSwitch</name>
+        <message>
+            <source>Passcode and idle time…</source>
+            <translation>Kennwort und Ruhezeit…</translation>
+        </message>
+        <message>
+            <source>Access level: %1</source>
+            <translation>Zugriffsstufe: %1</translation>
+        </message>
+        <message>
+            <source>This program was started with --monitor-only: it watches and holds.</source>
+            <translation>Dieses Programm wurde mit --monitor-only gestartet: Es beobachtet und kann HOLD senden.</translation>
+        </message>
+        <message numerus="yes">
+            <source>What may be done from here. It falls back to Monitor after %n minute(s) without key or mouse.</source>
+            <translation>
+                <numerusform>Was von hier aus getan werden darf. Nach %n Minute ohne Tastatur oder Maus fällt es auf Beobachten zurück.</numerusform>
+                <numerusform>Was von hier aus getan werden darf. Nach %n Minuten ohne Tastatur oder Maus fällt es auf Beobachten zurück.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::ArmBadge</name>
+        <message>
+            <source>This controller is armed: press to disarm.</source>
+            <translation>Diese Steuerung ist scharf: zum Unscharfschalten drücken.</translation>
+        </message>
+        <message>
+            <source>ARMED · %1 s</source>
+            <translation>SCHARF · %1 s</translation>
+        </message>
+        <message numerus="yes">
+            <source>Armed for %n more second(s). Press to disarm.</source>
+            <translation>
+                <numerusform>Noch %n Sekunde scharf. Zum Unscharfschalten drücken.</numerusform>
+                <numerusform>Noch %n Sekunden scharf. Zum Unscharfschalten drücken.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::ControllerView</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>HLOCK is on at %1: the pendant is locked out, but for its emergency stop.</source>
+            <translation>HLOCK ist an %1 eingeschaltet: Das Programmierhandgerät ist gesperrt, außer seinem Not-Halt.</translation>
+        </message>
+        <message>
+            <source>Release HLOCK</source>
+            <translation>HLOCK aufheben</translation>
+        </message>
+        <message numerus="yes">
+            <source>The journal works again. %n record(s) were lost.</source>
+            <translation>
+                <numerusform>Das Journal funktioniert wieder. %n Eintrag ging verloren.</numerusform>
+                <numerusform>Das Journal funktioniert wieder. %n Einträge gingen verloren.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+        <message>
+            <source>The journal was damaged. It was kept as %1, and a new one was begun.</source>
+            <translation>Das Journal war beschädigt. Es wurde als %1 aufbewahrt, und ein neues wurde begonnen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::MainWindow</name>
+        <message>
+            <source>Level: %1</source>
+            <translation>Stufe: %1</translation>
+        </message>
+        <message>
+            <source>HLOCK is on</source>
+            <translation>HLOCK ist eingeschaltet</translation>
+        </message>
+        <message>
+            <source>HLOCK is still on at %1: the pendant stays locked out after closing.</source>
+            <translation>HLOCK ist an %1 noch eingeschaltet: Das Programmierhandgerät bleibt nach dem Schließen gesperrt.</translation>
+        </message>
+        <message>
+            <source>Release HLOCK and close</source>
+            <translation>HLOCK aufheben und schließen</translation>
+        </message>
+        <message>
+            <source>Close and leave it on</source>
+            <translation>Schließen und eingeschaltet lassen</translation>
+        </message>
+        <message>
+            <source>Pendesk</source>
+            <translation>Pendesk</translation>
+        </message>
+        <message>
+            <source>%1 — Pendesk</source>
+            <translation>%1 — Pendesk</translation>
+        </message>
+        <message>
+            <source>The demo could not be started: %1.</source>
+            <translation>Die Demo konnte nicht gestartet werden: %1.</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>Über Pendesk</translation>
+        </message>
+        <message>
+            <source>Pendesk %1
+
+A teach and monitor desk for Yaskawa robot controllers.
+Free software under the GNU General Public License, version 3 or later.
+
+HOLD is a software hold over the network, not a safety function.</source>
+            <translation>Pendesk %1
+
+Ein Platz zum Teachen und Beobachten von Yaskawa-Robotersteuerungen.
+Freie Software unter der GNU General Public License, Version 3 oder neuer.
+
+HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</translation>
+        </message>
+        <message>
+            <source>There is no connection.</source>
+            <translation>Es besteht keine Verbindung.</translation>
+        </message>
+        <message>
+            <source>The connection is open.</source>
+            <translation>Die Verbindung ist offen.</translation>
+        </message>
+        <message>
+            <source>No controller is chosen.</source>
+            <translation>Keine Steuerung ist gewählt.</translation>
+        </message>
+        <message>
+            <source>No controller is chosen: connect first.</source>
+            <translation>Keine Steuerung ist gewählt: bitte zuerst verbinden.</translation>
+        </message>
+        <message>
+            <source>%1 requests/s</source>
+            <translation>%1 Anfragen/s</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::NavigationRail</name>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>No controller</source>
+            <translation>Keine Steuerung</translation>
+        </message>
+        <message>
+            <source>CONTROLLERS</source>
+            <translation>STEUERUNGEN</translation>
+        </message>
+        <message>
+            <source>PAGES</source>
+            <translation>SEITEN</translation>
+        </message>
+        <message>
+            <source>CONNECTION</source>
+            <translation>VERBINDUNG</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>Menü</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::RobotStrip</name>
+        <message>
+            <source>SIMULATION</source>
+            <translation>SIMULATION</translation>
+        </message>
+        <message>
+            <source>HOLD sent…</source>
+            <translation>HOLD gesendet…</translation>
+        </message>
+        <message>
+            <source>HOLD confirmed</source>
+            <translation>HOLD bestätigt</translation>
+        </message>
+        <message>
+            <source>HOLD refused</source>
+            <translation>HOLD abgelehnt</translation>
+        </message>
+        <message>
+            <source>not confirmed</source>
+            <translation>nicht bestätigt</translation>
+        </message>
+        <message>
+            <source>software hold · Pause key</source>
+            <translation>Softwarehalt · Pause-Taste</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>Verbindung</translation>
+        </message>
+        <message>
+            <source>No controller</source>
+            <translation>Keine Steuerung</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>In Ausführung</translation>
+        </message>
+        <message>
+            <source>Link · %1 ago</source>
+            <translation>Verbindung · vor %1</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>LOST</source>
+            <translation>VERLOREN</translation>
+        </message>
+        <message>
+            <source>no answer</source>
+            <translation>keine Antwort</translation>
+        </message>
+        <message>
+            <source>checking…</source>
+            <translation>wird geprüft…</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>nicht verbunden</translation>
+        </message>
+    </context>
+    <context>
+        <name>values</name>
+        <message>
+            <source>none</source>
+            <translation>keiner</translation>
+        </message>
+        <message>
+            <source>number</source>
+            <translation>Zahl</translation>
+        </message>
+        <message>
+            <source>8 bits</source>
+            <translation>8 Bit</translation>
+        </message>
+        <message>
+            <source>axes</source>
+            <translation>Achsen</translation>
+        </message>
+        <message>
+            <source>conveyor files</source>
+            <translation>Förderband-Dateien</translation>
+        </message>
+        <message>
+            <source>robots and stations</source>
+            <translation>Roboter und Stationen</translation>
+        </message>
+        <message>
+            <source>signed number</source>
+            <translation>Zahl mit Vorzeichen</translation>
+        </message>
+        <message>
+            <source>16 bits</source>
+            <translation>16 Bit</translation>
+        </message>
+        <message>
+            <source>robots</source>
+            <translation>Roboter</translation>
+        </message>
+        <message>
+            <source>robots, stations and bases</source>
+            <translation>Roboter, Stationen und Basisachsen</translation>
+        </message>
+        <message>
+            <source>control group, low and high axes</source>
+            <translation>Achsgruppe, untere und obere Achsen</translation>
+        </message>
+        <message>
+            <source>control group, minimum and maximum axes</source>
+            <translation>Achsgruppe, minimale und maximale Achsen</translation>
+        </message>
+        <message>
+            <source>control group, minimum and maximum X Y Z</source>
+            <translation>Achsgruppe, minimale und maximale X Y Z</translation>
+        </message>
+        <message>
+            <source>axes of two control groups</source>
+            <translation>Achsen zweier Achsgruppen</translation>
+        </message>
+        <message>
+            <source>two sets of axes of a control group</source>
+            <translation>zwei Sätze Achsen einer Achsgruppe</translation>
+        </message>
+        <message>
+            <source>axes of a control group and a number</source>
+            <translation>Achsen einer Achsgruppe und eine Zahl</translation>
+        </message>
+        <message>
+            <source>control group and a number</source>
+            <translation>Achsgruppe und eine Zahl</translation>
+        </message>
+        <message>
+            <source>unknown type %1</source>
+            <translation>unbekannter Typ %1</translation>
+        </message>
+        <message>
+            <source>front</source>
+            <translation>vorn</translation>
+        </message>
+        <message>
+            <source>back</source>
+            <translation>hinten</translation>
+        </message>
+        <message>
+            <source>upper arm</source>
+            <translation>Arm oben</translation>
+        </message>
+        <message>
+            <source>lower arm</source>
+            <translation>Arm unten</translation>
+        </message>
+        <message>
+            <source>flip</source>
+            <translation>Flip</translation>
+        </message>
+        <message>
+            <source>no flip</source>
+            <translation>kein Flip</translation>
+        </message>
+        <message>
+            <source>R &lt; 180</source>
+            <translation>R &lt; 180</translation>
+        </message>
+        <message>
+            <source>R &gt;= 180</source>
+            <translation>R &gt;= 180</translation>
+        </message>
+        <message>
+            <source>T &lt; 180</source>
+            <translation>T &lt; 180</translation>
+        </message>
+        <message>
+            <source>T &gt;= 180</source>
+            <translation>T &gt;= 180</translation>
+        </message>
+        <message>
+            <source>S &lt; 180</source>
+            <translation>S &lt; 180</translation>
+        </message>
+        <message>
+            <source>S &gt;= 180</source>
+            <translation>S &gt;= 180</translation>
+        </message>
+        <message>
+            <source>redundant front</source>
+            <translation>redundant vorn</translation>
+        </message>
+        <message>
+            <source>redundant back</source>
+            <translation>redundant hinten</translation>
+        </message>
+        <message>
+            <source>previous step's form</source>
+            <translation>Stellung des vorigen Schritts</translation>
+        </message>
+        <message>
+            <source>this form</source>
+            <translation>diese Stellung</translation>
+        </message>
+        <message>
+            <source>L &lt; 180</source>
+            <translation>L &lt; 180</translation>
+        </message>
+        <message>
+            <source>L &gt;= 180</source>
+            <translation>L &gt;= 180</translation>
+        </message>
+        <message>
+            <source>U &lt; 180</source>
+            <translation>U &lt; 180</translation>
+        </message>
+        <message>
+            <source>U &gt;= 180</source>
+            <translation>U &gt;= 180</translation>
+        </message>
+        <message>
+            <source>B &lt; 180</source>
+            <translation>B &lt; 180</translation>
+        </message>
+        <message>
+            <source>B &gt;= 180</source>
+            <translation>B &gt;= 180</translation>
+        </message>
+        <message>
+            <source>E &lt; 180</source>
+            <translation>E &lt; 180</translation>
+        </message>
+        <message>
+            <source>E &gt;= 180</source>
+            <translation>E &gt;= 180</translation>
+        </message>
+        <message>
+            <source>W &lt; 180</source>
+            <translation>W &lt; 180</translation>
+        </message>
+        <message>
+            <source>W &gt;= 180</source>
+            <translation>W &gt;= 180</translation>
+        </message>
+        <message>
+            <source>pulse</source>
+            <translation>Impuls</translation>
+        </message>
+        <message>
+            <source>base frame</source>
+            <translation>Basiskoordinatensystem</translation>
+        </message>
+        <message>
+            <source>robot frame</source>
+            <translation>Roboterkoordinatensystem</translation>
+        </message>
+        <message>
+            <source>user frame</source>
+            <translation>Benutzerkoordinatensystem</translation>
+        </message>
+        <message>
+            <source>tool frame</source>
+            <translation>Werkzeugkoordinatensystem</translation>
+        </message>
+        <message>
+            <source>group %1</source>
+            <translation>Gruppe %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>variables::Sentences</name>
+        <message>
+            <source>Line %1: a cell begins with a quotation mark and does not end with one.</source>
+            <translation>Zeile %1: Eine Zelle beginnt mit einem Anführungszeichen und endet nicht mit einem.</translation>
+        </message>
+        <message>
+            <source>Line %1: there is text behind the quotation mark that ends a cell.</source>
+            <translation>Zeile %1: Hinter dem Anführungszeichen, das eine Zelle beendet, steht Text.</translation>
+        </message>
+        <message>
+            <source>The file is not UTF-8: save it as “CSV UTF-8” and try again.</source>
+            <translation>Die Datei ist nicht in UTF-8: Speichern Sie sie als „CSV UTF-8“, und versuchen Sie es erneut.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>„%1“ ist keine Zahl.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range: it must be from %2 to %3.</source>
+            <translation>%1 liegt außerhalb des Bereichs: Zulässig ist %2 bis %3.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a whole number: write it without decimals and separators.</source>
+            <translation>„%1“ ist keine ganze Zahl: Schreiben Sie sie ohne Nachkommastellen und Trennzeichen.</translation>
+        </message>
+        <message>
+            <source>%1 does not go into a real: that is 0, or from ±1.18e-38 to ±3.40e+38.</source>
+            <translation>%1 passt nicht in eine Realzahl: Das ist 0 oder ±1.18e-38 bis ±3.40e+38.</translation>
+        </message>
+        <message>
+            <source>not a number</source>
+            <translation>keine Zahl</translation>
+        </message>
+        <message>
+            <source>“%1” is not a whole number.</source>
+            <translation>„%1“ ist keine ganze Zahl.</translation>
+        </message>
+        <message numerus="yes">
+            <source>“%1” is too fine: %n decimal(s) are kept.</source>
+            <translation>
+                <numerusform>„%1“ ist zu fein: %n Nachkommastelle bleibt erhalten.</numerusform>
+                <numerusform>„%1“ ist zu fein: %n Nachkommastellen bleiben erhalten.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>“%1” is not a variable. Write its letter and its number, such as B007.</source>
+            <translation>„%1“ ist keine Variable. Schreiben Sie ihren Buchstaben und ihre Nummer, zum Beispiel B007.</translation>
+        </message>
+        <message>
+            <source>There is no %1: this controller has %2 to %3.</source>
+            <translation>%1 gibt es nicht: Diese Steuerung hat %2 bis %3.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a range: it must go from a lower to a higher number of one kind.</source>
+            <translation>„%1“ ist kein Bereich: Er muss von einer niedrigeren zu einer höheren Nummer derselben Art gehen.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a type that %2 has.</source>
+            <translation>„%1“ ist kein Typ, den %2 hat.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>column: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1 is missing, and no value of this type was read.</source>
+            <translation>%1 fehlt, und es wurde kein Wert dieses Typs gelesen.</translation>
+        </message>
+        <message>
+            <source>The type is missing, and none was read.</source>
+            <translation>Der Typ fehlt, und es wurde keiner gelesen.</translation>
+        </message>
+        <message>
+            <source>The variable is missing.</source>
+            <translation>Die Variable fehlt.</translation>
+        </message>
+        <message>
+            <source>%1 can only be read.</source>
+            <translation>%1 lässt sich nur lesen.</translation>
+        </message>
+        <message>
+            <source>%1 stands in line %2 already.</source>
+            <translation>%1 steht schon in Zeile %2.</translation>
+        </message>
+        <message>
+            <source>The value is missing.</source>
+            <translation>Der Wert fehlt.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>The column “%1” stands there twice.</source>
+            <translation>Die Spalte „%1“ ist zweimal vorhanden.</translation>
+        </message>
+        <message>
+            <source>The header is missing: the first line must name the columns “variable” and “value”.</source>
+            <translation>Der Kopf fehlt: Die erste Zeile muss die Spalten „variable“ und „value“ nennen.</translation>
+        </message>
+        <message>
+            <source>There is neither a column “value” nor “axis 1”.</source>
+            <translation>Es gibt weder eine Spalte „value“ noch „axis 1“.</translation>
+        </message>
+        <message>
+            <source>The line has more cells than the header.</source>
+            <translation>Die Zeile hat mehr Zellen als der Kopf.</translation>
+        </message>
+        <message>
+            <source>A block without a header has one or two columns.</source>
+            <translation>Ein Block ohne Kopf hat eine oder zwei Spalten.</translation>
+        </message>
+        <message>
+            <source>The text cannot be sent: %1.</source>
+            <translation>Der Text kann nicht gesendet werden: %1.</translation>
+        </message>
+        <message>
+            <source>The text must not hold the character NUL, which ends it.</source>
+            <translation>Der Text darf das Zeichen NUL nicht enthalten, das ihn beendet.</translation>
+        </message>
+        <message>
+            <source>The text takes %1 bytes; there is room for %2.</source>
+            <translation>Der Text braucht %1 Byte; Platz ist für %2.</translation>
+        </message>
+        <message>
+            <source>A position is not written as one text.</source>
+            <translation>Eine Position wird nicht als ein Text geschrieben.</translation>
+        </message>
+        <message>
+            <source>a real number</source>
+            <translation>eine Realzahl</translation>
+        </message>
+        <message numerus="yes">
+            <source>up to %n byte(s)</source>
+            <translation>
+                <numerusform>bis zu %n Byte</numerusform>
+                <numerusform>bis zu %n Byte</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>pulse</source>
+            <translation>Impuls</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ArmControl</name>
+        <message>
+            <source>Hold for 1 s to arm</source>
+            <translation>1 s gedrückt halten zum Scharfschalten</translation>
+        </message>
+        <message>
+            <source>Why not?</source>
+            <translation>Warum nicht?</translation>
+        </message>
+        <message>
+            <source>Disarm</source>
+            <translation>Unscharf schalten</translation>
+        </message>
+        <message>
+            <source>Nobody is inside the fence</source>
+            <translation>Niemand ist innerhalb des Schutzzauns</translation>
+        </message>
+        <message>
+            <source>I see the robot, or somebody who does</source>
+            <translation>Ich sehe den Roboter, oder jemand anderes sieht ihn</translation>
+        </message>
+        <message>
+            <source>An emergency stop is within reach there</source>
+            <translation>Ein Not-Halt ist dort in Reichweite</translation>
+        </message>
+        <message>
+            <source>Armed: start, servo on and moves are possible. It drops after a minute without key or mouse.</source>
+            <translation>Scharf: Start, Servo ein und Bewegungen sind möglich. Ohne Tastatur oder Maus endet das nach einer Minute.</translation>
+        </message>
+        <message>
+            <source>Disarmed at %1: %2.</source>
+            <translation>Unscharf seit %1: %2.</translation>
+        </message>
+        <message>
+            <source>Tick all three first.</source>
+            <translation>Haken Sie zuerst alle drei ab.</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::CellEditor</name>
+        <message>
+            <source>live: %1</source>
+            <translation>live: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ConditionList</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ControllerTile</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::DiffView</name>
+        <message>
+            <source>Lines of both versions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Zeile</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Newer</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::HoldButton</name>
+        <message>
+            <source>HOLD</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (Software)</translation>
+        </message>
+        <message>
+            <source>software hold · Pause key</source>
+            <translation>Softwarehalt · Pause-Taste</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::JobView</name>
+        <message>
+            <source>Job text</source>
+            <translation>Jobtext</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::LogicStrip</name>
+        <message>
+            <source>The watched signals over the last minute</source>
+            <translation>Die beobachteten Signale der letzten Minute</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>jetzt</translation>
+        </message>
+        <message>
+            <source>−%1 s</source>
+            <translation>−%1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::OrderButton</name>
+        <message>
+            <source>%1: pending…</source>
+            <translation>%1: ausstehend…</translation>
+        </message>
+        <message>
+            <source>Why not?</source>
+            <translation>Warum nicht?</translation>
+        </message>
+        <message>
+            <source>Conditions</source>
+            <translation>Bedingungen</translation>
+        </message>
+        <message>
+            <source>Conditions of: %1</source>
+            <translation>Bedingungen für: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Plot</name>
+        <message>
+            <source>seconds</source>
+            <translation>Sekunden</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Plot</source>
+            <translation>Kurve</translation>
+        </message>
+        <message>
+            <source>Nothing is plotted.</source>
+            <translation>Keine Kurve gewählt.</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Plottables</name>
+        <message>
+            <source>Add to trend: %1</source>
+            <translation>Zum Trend hinzufügen: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Rows</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Sparkline</name>
+        <message>
+            <source>Round trips of the last 60 seconds: none yet.</source>
+            <translation>Umlaufzeiten der letzten 60 Sekunden: noch keine.</translation>
+        </message>
+        <message>
+            <source>Round trips of the last 60 seconds: longest %1 ms, lost tries in %2 s.</source>
+            <translation>Umlaufzeiten der letzten 60 Sekunden: längste %1 ms, verlorene Versuche in %2 s.</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ToolPathView</name>
+        <message>
+            <source>Top</source>
+            <translation>Oben</translation>
+        </message>
+        <message>
+            <source>Front</source>
+            <translation>Vorn</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Seite</translation>
+        </message>
+        <message>
+            <source>Tool path, %1 view</source>
+            <translation>Werkzeugbahn, Ansicht %1</translation>
+        </message>
+        <message>
+            <source>No position in the base frame was read yet.</source>
+            <translation>Es wurde noch keine Position im Basiskoordinatensystem gelesen.</translation>
+        </message>
+        <message>
+            <source>%1 %2 mm, %3 %4 mm. %5</source>
+            <translation>%1 %2 mm, %3 %4 mm. %5</translation>
+        </message>
+        <message>
+            <source>%1  ·  %2 →  %3 ↑</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 mm</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ValueGrid</name>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ValueLabel</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+    </context>
 </TS>

@@ -1,4 +1,6230 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
+    <context>
+        <name>Actions</name>
+        <message>
+            <source> or </source>
+            <translation> または </translation>
+        </message>
+    </context>
+    <context>
+        <name>Alarms</name>
+        <message>
+            <source>Major</source>
+            <translation>重故障</translation>
+        </message>
+        <message>
+            <source>Minor</source>
+            <translation>軽故障</translation>
+        </message>
+        <message>
+            <source>User, system</source>
+            <translation>ユーザ (システム)</translation>
+        </message>
+        <message>
+            <source>User</source>
+            <translation>ユーザ</translation>
+        </message>
+        <message>
+            <source>Off-line</source>
+            <translation>オフライン</translation>
+        </message>
+        <message>
+            <source>◆ unacknowledged</source>
+            <translation>◆ 未確認</translation>
+        </message>
+        <message>
+            <source>■ acknowledged</source>
+            <translation>■ 確認済み</translation>
+        </message>
+        <message>
+            <source>▲ cleared, unacknowledged</source>
+            <translation>▲ 解除済み、未確認</translation>
+        </message>
+        <message>
+            <source>□ cleared</source>
+            <translation>□ 解除済み</translation>
+        </message>
+        <message>
+            <source>No sub code.</source>
+            <translation>サブコードなし。</translation>
+        </message>
+        <message>
+            <source>%1: %2. As sent: %3, type %4.</source>
+            <translation>%1: %2。受信値: %3、タイプ %4。</translation>
+        </message>
+    </context>
+    <context>
+        <name>Conditions</name>
+        <message>
+            <source>%1: %2.</source>
+            <comment>what is wrong: what helps</comment>
+            <translation>%1: %2。</translation>
+        </message>
+        <message>
+            <source>met</source>
+            <translation>成立</translation>
+        </message>
+        <message>
+            <source>not met</source>
+            <translation>不成立</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>未読出し</translation>
+        </message>
+        <message>
+            <source>cannot be read over HSES</source>
+            <translation>HSESでは読出し不可</translation>
+        </message>
+        <message>
+            <source>%1: %2.</source>
+            <comment>what was tried: how it ended</comment>
+            <translation>%1: %2。</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>動作許可</translation>
+        </message>
+        <message>
+            <source>Reset alarm</source>
+            <translation>アラームリセット</translation>
+        </message>
+        <message>
+            <source>Cancel error</source>
+            <translation>エラーキャンセル</translation>
+        </message>
+        <message>
+            <source>Write a signal</source>
+            <translation>信号の書込み</translation>
+        </message>
+        <message>
+            <source>Write a register</source>
+            <translation>レジスタの書込み</translation>
+        </message>
+        <message>
+            <source>Write a variable</source>
+            <translation>変数の書込み</translation>
+        </message>
+        <message>
+            <source>Select a job</source>
+            <translation>ジョブの選択</translation>
+        </message>
+        <message>
+            <source>Select a master job</source>
+            <translation>マスタジョブの選択</translation>
+        </message>
+        <message>
+            <source>Start the job</source>
+            <translation>ジョブの起動</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (ソフトウェア)</translation>
+        </message>
+        <message>
+            <source>Release HOLD</source>
+            <translation>HOLDの解除</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>サーボオン</translation>
+        </message>
+        <message>
+            <source>Servo off</source>
+            <translation>サーボオフ</translation>
+        </message>
+        <message>
+            <source>HLOCK on</source>
+            <translation>HLOCKオン</translation>
+        </message>
+        <message>
+            <source>HLOCK off</source>
+            <translation>HLOCKオフ</translation>
+        </message>
+        <message>
+            <source>Select the cycle mode</source>
+            <translation>サイクルモードの選択</translation>
+        </message>
+        <message>
+            <source>Show a message on the pendant</source>
+            <translation>ペンダントへのメッセージ表示</translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation>移動</translation>
+        </message>
+        <message>
+            <source>Jog</source>
+            <translation>ジョグ</translation>
+        </message>
+        <message>
+            <source>Send a file to the controller</source>
+            <translation>コントローラへのファイル送信</translation>
+        </message>
+        <message>
+            <source>Get a file from the controller</source>
+            <translation>コントローラからのファイル取得</translation>
+        </message>
+        <message>
+            <source>Delete a file on the controller</source>
+            <translation>コントローラのファイル削除</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>バックアップの復元</translation>
+        </message>
+        <message>
+            <source>Monitor</source>
+            <translation>監視</translation>
+        </message>
+        <message>
+            <source>Operate</source>
+            <translation>操作</translation>
+        </message>
+        <message>
+            <source>Engineer</source>
+            <translation>技術者</translation>
+        </message>
+        <message>
+            <source>disarmed by hand</source>
+            <translation>手動で解除</translation>
+        </message>
+        <message>
+            <source>nobody used key or mouse for a minute</source>
+            <translation>1分間キーもマウスも操作なし</translation>
+        </message>
+        <message>
+            <source>another program came to the front</source>
+            <translation>別のプログラムが前面に表示</translation>
+        </message>
+        <message>
+            <source>the screen was locked</source>
+            <translation>画面がロックされた</translation>
+        </message>
+        <message>
+            <source>communication was lost</source>
+            <translation>通信が途絶</translation>
+        </message>
+        <message>
+            <source>the mode changed at the controller</source>
+            <translation>コントローラでモードが変更された</translation>
+        </message>
+        <message>
+            <source>an alarm came up</source>
+            <translation>アラームが発生</translation>
+        </message>
+        <message>
+            <source>the access level fell back</source>
+            <translation>アクセスレベルが戻った</translation>
+        </message>
+        <message>
+            <source>the controller or its profile was changed</source>
+            <translation>コントローラまたはそのプロファイルが変更された</translation>
+        </message>
+        <message>
+            <source>another window came to the front</source>
+            <translation>別のウィンドウが前面に表示</translation>
+        </message>
+        <message>
+            <source>another controller was armed</source>
+            <translation>別のコントローラが動作許可になった</translation>
+        </message>
+    </context>
+    <context>
+        <name>LinkView</name>
+        <message>
+            <source>checking</source>
+            <translation>確認中</translation>
+        </message>
+        <message>
+            <source>live</source>
+            <translation>ライブ</translation>
+        </message>
+        <message>
+            <source>communication lost</source>
+            <translation>通信途絶</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>未接続</translation>
+        </message>
+    </context>
+    <context>
+        <name>Messages</name>
+        <message>
+            <source>Diagnose…</source>
+            <translation>診断…</translation>
+        </message>
+        <message>
+            <source>HOLD not confirmed: use the pendant.</source>
+            <translation>HOLDを確認できません。ペンダントを使ってください。</translation>
+        </message>
+        <message>
+            <source>HOLD was refused: %1. Use the pendant.</source>
+            <translation>HOLDは拒否されました: %1。ペンダントを使ってください。</translation>
+        </message>
+        <message>
+            <source>HOLD sent…</source>
+            <translation>HOLDを送信しました…</translation>
+        </message>
+        <message>
+            <source>No contact with %1 yet: %2. Checking goes on by itself.</source>
+            <translation>まだ%1と通信できません: %2。確認は自動で続きます。</translation>
+        </message>
+        <message>
+            <source>Checking %1: waiting for system information and status.</source>
+            <translation>%1を確認中: システム情報と状態を待っています。</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1 — showing the last values read. Reading resumes by itself.</source>
+            <translation>通信途絶 (%1) — 最後に読み出した値を表示しています。読出しは自動で再開します。</translation>
+        </message>
+        <message numerus="yes">
+            <source>Communication restored at %1. Lost %n time(s) since connecting.</source>
+            <translation>
+                <numerusform>通信が復旧しました (%1)。接続してから%n回途絶しました。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>HOLD confirmed: the status says held by command.</source>
+            <translation>HOLDを確認しました: 状態はコマンドによるホールド中です。</translation>
+        </message>
+        <message>
+            <source>HOLD was not sent: there is no connection to a controller. Use the pendant.</source>
+            <translation>HOLDは送信していません: コントローラと接続していません。ペンダントを使ってください。</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>接続…</translation>
+        </message>
+    </context>
+    <context>
+        <name>OrderRecords</name>
+        <message>
+            <source>✓ done</source>
+            <translation>✓ 完了</translation>
+        </message>
+        <message>
+            <source>✗ refused</source>
+            <translation>✗ 拒否</translation>
+        </message>
+        <message>
+            <source>▲ unknown</source>
+            <translation>▲ 不明</translation>
+        </message>
+        <message>
+            <source>□ not sent</source>
+            <translation>□ 未送信</translation>
+        </message>
+    </context>
+    <context>
+        <name>QFileDialog</name>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>カンマ区切り (*.csv)</translation>
+        </message>
+        <message>
+            <source>JSON (*.json)</source>
+            <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Shown</name>
+        <message>
+            <source>Not read yet.</source>
+            <translation>まだ読み出していません。</translation>
+        </message>
+        <message>
+            <source>Refused: %1</source>
+            <translation>拒否: %1</translation>
+        </message>
+        <message>
+            <source>Last seen %1</source>
+            <translation>最終確認 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Words</name>
+        <message>
+            <source>HELD</source>
+            <translation>ホールド中</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>なし</translation>
+        </message>
+        <message>
+            <source>PENDANT</source>
+            <translation>ペンダント</translation>
+        </message>
+        <message>
+            <source>EXTERNAL</source>
+            <translation>外部</translation>
+        </message>
+        <message>
+            <source>COMMAND</source>
+            <translation>コマンド</translation>
+        </message>
+        <message>
+            <source>TEACH</source>
+            <translation>TEACH</translation>
+        </message>
+        <message>
+            <source>PLAY</source>
+            <translation>PLAY</translation>
+        </message>
+        <message>
+            <source>NO MODE</source>
+            <translation>モードなし</translation>
+        </message>
+        <message>
+            <source>REMOTE %1</source>
+            <translation>REMOTE %1</translation>
+        </message>
+        <message>
+            <source>STEP</source>
+            <translation>ステップ</translation>
+        </message>
+        <message>
+            <source>1 CYCLE</source>
+            <translation>1サイクル</translation>
+        </message>
+        <message>
+            <source>CONTINUOUS</source>
+            <translation>連続</translation>
+        </message>
+        <message>
+            <source>NO CYCLE</source>
+            <translation>サイクルなし</translation>
+        </message>
+        <message>
+            <source>RUNNING</source>
+            <translation>運転中</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>停止中</translation>
+        </message>
+        <message>
+            <source>ON</source>
+            <translation>ON</translation>
+        </message>
+        <message>
+            <source>OFF</source>
+            <translation>OFF</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>なし</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>オフ</translation>
+        </message>
+        <message>
+            <source>ALARM</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>ERROR</source>
+            <translation>エラー</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>error</source>
+            <translation>エラー</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>ホールド中</translation>
+        </message>
+        <message>
+            <source>contradictory</source>
+            <translation>矛盾</translation>
+        </message>
+        <message>
+            <source>running</source>
+            <translation>運転中</translation>
+        </message>
+        <message>
+            <source>idle</source>
+            <translation>待機中</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>line %1 · step %2 · %3</source>
+            <translation>行 %1 · ステップ %2 · %3</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>pulses</source>
+            <translation>パルス</translation>
+        </message>
+        <message>
+            <source>%1 ms</source>
+            <translation>%1 ms</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 秒</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 分</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::AccessSettingsDialog</name>
+        <message>
+            <source>Passcode and idle time</source>
+            <translation>パスコードと無操作時間</translation>
+        </message>
+        <message>
+            <source> min</source>
+            <translation> 分</translation>
+        </message>
+        <message>
+            <source>Back to Monitor after</source>
+            <translation>「監視」に戻るまで</translation>
+        </message>
+        <message>
+            <source>New passcode</source>
+            <translation>新しいパスコード</translation>
+        </message>
+        <message>
+            <source>The same again</source>
+            <translation>もう一度入力</translation>
+        </message>
+        <message>
+            <source>Leave both empty for no passcode.</source>
+            <translation>パスコードを使わないときは、両方とも空にしてください。</translation>
+        </message>
+        <message>
+            <source>The two are not the same.</source>
+            <translation>2つの入力が一致しません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ApplyDialog</name>
+        <message>
+            <source>Variable</source>
+            <translation>変数</translation>
+        </message>
+        <message>
+            <source>Old value</source>
+            <translation>現在の値</translation>
+        </message>
+        <message>
+            <source>New value</source>
+            <translation>新しい値</translation>
+        </message>
+        <message>
+            <source>Apply — %1</source>
+            <translation>適用 — %1</translation>
+        </message>
+        <message>
+            <source>What will be written</source>
+            <translation>書き込む内容</translation>
+        </message>
+        <message numerus="yes">
+            <source>Write %n value(s)</source>
+            <translation>
+                <numerusform>%n個の値を書込み</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Write %n value(s) to %1</source>
+            <translation>
+                <numerusform>%n個の値を%1に書込み</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Each is written once and read back. What does not read back as it was written stays here and is marked.</source>
+            <translation>それぞれ1回だけ書き込み、読み戻します。書き込んだとおりに読み戻せない値は、印を付けてここに残します。</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::CompareDialog</name>
+        <message>
+            <source>Both are the same, byte for byte.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ConnectionDialog</name>
+        <message>
+            <source>Duplicate</source>
+            <translation>複製</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>削除</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>Connect</source>
+            <translation>接続</translation>
+        </message>
+        <message>
+            <source>Connect to a controller</source>
+            <translation>コントローラに接続</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>追加</translation>
+        </message>
+        <message>
+            <source>Known controllers</source>
+            <translation>登録済みのコントローラ</translation>
+        </message>
+        <message>
+            <source>CONTROLLERS</source>
+            <translation>コントローラ</translation>
+        </message>
+        <message>
+            <source>Connecting only reads. HOLD: Pause key.</source>
+            <translation>接続は読出しだけを行います。HOLD: Pauseキー。</translation>
+        </message>
+        <message>
+            <source>There is another controller with the name “%1”.</source>
+            <translation>「%1」という名前のコントローラがほかにあります。</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>New controller</source>
+            <translation>新しいコントローラ</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::DiagnosisDialog</name>
+        <message>
+            <source>Diagnosis — %1</source>
+            <translation>診断 — %1</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>診断をコピー</translation>
+        </message>
+        <message>
+            <source>The diagnosis is not finished yet.</source>
+            <translation>診断はまだ終わっていません。</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>It only reads. HOLD works meanwhile: Pause key.</source>
+            <translation>診断は読出しだけを行います。その間もHOLDは有効です: Pauseキー。</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>コピーしました</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ImportDialog</name>
+        <message>
+            <source>Take over values — %1</source>
+            <translation>値の取込み — %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>Stage %n value(s)</source>
+            <translation>
+                <numerusform>%n個の値を書込み予定に追加</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n value(s) would change</source>
+            <translation>
+                <numerusform>%n個の値が変わります</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n value(s) are there already. Staging sends nothing to the controller.</source>
+            <translation>
+                <numerusform>%n個の値はすでに同じです。書込み予定に追加しても、コントローラには何も送信しません。</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) cannot be read, so nothing is taken over:</source>
+            <translation>
+                <numerusform>%n行を読み取れないため、何も取り込みません:</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>What is wrong</source>
+            <translation>誤りの内容</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>変数</translation>
+        </message>
+        <message>
+            <source>Old value</source>
+            <translation>現在の値</translation>
+        </message>
+        <message>
+            <source>New value</source>
+            <translation>新しい値</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::IoWriteDialog</name>
+        <message>
+            <source>Write %1 — %2</source>
+            <translation>%1の書込み — %2</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>現在</translation>
+        </message>
+        <message>
+            <source>Will be</source>
+            <translation>書込み後</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>The eight signals #%1 to #%2 travel together: all of them are written as they stand here.</source>
+            <translation>#%1から#%2までの8つの信号は一括で送信します。すべてここに表示したとおりに書き込みます。</translation>
+        </message>
+        <message>
+            <source>The group is being read…</source>
+            <translation>グループを読み出しています…</translation>
+        </message>
+        <message>
+            <source>Written once, then read back.</source>
+            <translation>1回だけ書き込み、読み戻します。</translation>
+        </message>
+        <message>
+            <source>Another of the eight has changed meanwhile. Nothing was sent: look again.</source>
+            <translation>その間に8つのうちほかの信号が変わりました。何も送信していません。もう一度確認してください。</translation>
+        </message>
+        <message>
+            <source>Being written…</source>
+            <translation>書き込んでいます…</translation>
+        </message>
+        <message>
+            <source>Written, and read back as it was written.</source>
+            <translation>書き込みました。書き込んだとおりに読み戻せました。</translation>
+        </message>
+        <message>
+            <source>Accepted, but another value was read back: %1. Something else writes these signals.</source>
+            <translation>受け付けられましたが、別の値が読み戻されました: %1。ほかの何かがこれらの信号を書き込んでいます。</translation>
+        </message>
+        <message>
+            <source>Switch on</source>
+            <translation>オンにする</translation>
+        </message>
+        <message>
+            <source>Switch off</source>
+            <translation>オフにする</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::JobEditor</name>
+        <message>
+            <source>Edit “%1”</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Text of the file</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compare and send…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The controller's encoding lacks a character of this text.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::LadderView</name>
+        <message>
+            <source>passed</source>
+            <translation>合格</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>不合格</translation>
+        </message>
+        <message>
+            <source>not reached</source>
+            <translation>未実施</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, diagnosis of %2 (%3)</source>
+            <translation>Pendesk %1、%2の診断 (%3)</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::NumberingDialog</name>
+        <message>
+            <source>Variable numbering — %1</source>
+            <translation>変数番号の方式 — %1</translation>
+        </message>
+        <message>
+            <source>Number of the variable</source>
+            <translation>変数の番号</translation>
+        </message>
+        <message>
+            <source>Value on the pendant</source>
+            <translation>ペンダントでの値</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>未読出し</translation>
+        </message>
+        <message>
+            <source>reads on the pendant</source>
+            <translation>のペンダント表示は</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>比較</translation>
+        </message>
+        <message>
+            <source>Keep the result</source>
+            <translation>結果を保存</translation>
+        </message>
+        <message>
+            <source>Which number is which?</source>
+            <translation>どの番号がどの変数か</translation>
+        </message>
+        <message>
+            <source>Parameter RS022 decides whether B000 is number 0 or number 1 on the network. Until that is known, a write could hit the neighbour, so none is sent. Read two variables on the pendant (main menu, VARIABLE, BYTE) and enter what you see. This test only reads.</source>
+            <translation>B000がネットワーク上で番号0か番号1かは、パラメータRS022で決まります。それが分かるまでは、書込みが隣の変数に当たるおそれがあるため、何も書き込みません。ペンダントで2つの変数を読み (メインメニュー、変数、バイト型)、表示された値を入力してください。このテストは読出しだけを行います。</translation>
+        </message>
+        <message>
+            <source>The variables could not be read: %1.</source>
+            <translation>変数を読み出せませんでした: %1。</translation>
+        </message>
+        <message>
+            <source>All B variables hold the same value, which proves nothing: let a job or the pendant set B010 to 1 and B011 to 2, then open this test again.</source>
+            <translation>すべてのB変数が同じ値のため、何も判定できません。ジョブかペンダントでB010を1、B011を2に設定してから、このテストをもう一度開いてください。</translation>
+        </message>
+        <message>
+            <source>These two tell the numberings apart.</source>
+            <translation>この2つで番号の方式を判別できます。</translation>
+        </message>
+        <message>
+            <source>Verified: number 0 on the network is B000.</source>
+            <translation>照合済み: ネットワーク上の番号0がB000です。</translation>
+        </message>
+        <message>
+            <source>Verified, shifted: number 1 on the network is B000.</source>
+            <translation>照合済み、ずれあり: ネットワーク上の番号1がB000です。</translation>
+        </message>
+        <message>
+            <source>Both numberings fit these values: choose variables whose neighbours hold other values.</source>
+            <translation>この値はどちらの方式にも合います。隣の変数が別の値になっている変数を選んでください。</translation>
+        </message>
+        <message>
+            <source>Neither numbering fits: read the values again, they may have changed.</source>
+            <translation>どちらの方式にも合いません。値が変わった可能性があるため、もう一度読んでください。</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::OverwriteDialog</name>
+        <message numerus="yes">
+            <source>For the remaining %n file(s) too</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>“%1” exists</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There is a file “%1” %2 already.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Compare…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Replace</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Keep both</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Skip</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::PasscodeDialog</name>
+        <message>
+            <source>The passcode guards against mistakes, not against attackers: whoever can change this user's files can remove it.</source>
+            <translation>パスコードは誤操作を防ぐもので、攻撃を防ぐものではありません。このユーザのファイルを変更できる人は、パスコードを外せます。</translation>
+        </message>
+        <message>
+            <source>Access level: %1</source>
+            <translation>アクセスレベル: %1</translation>
+        </message>
+        <message>
+            <source>Passcode</source>
+            <translation>パスコード</translation>
+        </message>
+        <message>
+            <source>That is not the passcode.</source>
+            <translation>パスコードが違います。</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::PositionDialog</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>タイプ</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>書込み予定に追加</translation>
+        </message>
+        <message>
+            <source>%1 or %2</source>
+            <translation>%1または%2</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>ツール</translation>
+        </message>
+        <message>
+            <source>User frame</source>
+            <translation>ユーザ座標</translation>
+        </message>
+        <message>
+            <source>Take the present position of R1 (base frame)</source>
+            <translation>R1の現在位置を取込み (ベース座標)</translation>
+        </message>
+        <message>
+            <source>Take R1 in pulses</source>
+            <translation>R1をパルスで取込み</translation>
+        </message>
+        <message>
+            <source>Take the present position of B1 (base frame)</source>
+            <translation>B1の現在位置を取込み (ベース座標)</translation>
+        </message>
+        <message>
+            <source>Take B1 in pulses</source>
+            <translation>B1をパルスで取込み</translation>
+        </message>
+        <message>
+            <source>Take the present position of S1</source>
+            <translation>S1の現在位置を取込み</translation>
+        </message>
+        <message>
+            <source>live: %1</source>
+            <translation>ライブ: %1</translation>
+        </message>
+        <message>
+            <source>%1 in %2</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>axis: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>A user-frame position needs a user frame from 1 to 63.</source>
+            <translation>ユーザ座標の位置には、1から63までのユーザ座標番号が必要です。</translation>
+        </message>
+        <message>
+            <source>Sources disagree which code means user and which means tool frame: check on the pendant before a job uses this position.</source>
+            <translation>どのコードがユーザ座標でどのコードがツール座標かは、資料によって異なります。ジョブでこの位置を使う前に、ペンダントで確認してください。</translation>
+        </message>
+        <message>
+            <source>The position is being read…</source>
+            <translation>位置を読み出しています…</translation>
+        </message>
+        <message>
+            <source>The position could not be read: %1.</source>
+            <translation>位置を読み出せませんでした: %1。</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ProfileForm</name>
+        <message>
+            <source>Name</source>
+            <translation>名前</translation>
+        </message>
+        <message>
+            <source>Host name or address</source>
+            <translation>ホスト名またはアドレス</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>機種</translation>
+        </message>
+        <message>
+            <source>Text encoding</source>
+            <translation>文字コード</translation>
+        </message>
+        <message>
+            <source>Variable numbering</source>
+            <translation>変数番号の方式</translation>
+        </message>
+        <message>
+            <source>B000 is number 0 on the wire</source>
+            <translation>B000は通信上の番号0</translation>
+        </message>
+        <message>
+            <source>B000 is number 1 on the wire</source>
+            <translation>B000は通信上の番号1</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>ポート</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>ファイルポート</translation>
+        </message>
+        <message>
+            <source>Read time-out</source>
+            <translation>読出しタイムアウト</translation>
+        </message>
+        <message>
+            <source> ms</source>
+            <translation> ms</translation>
+        </message>
+        <message>
+            <source>File time-out</source>
+            <translation>ファイルタイムアウト</translation>
+        </message>
+        <message>
+            <source>Servo time-out</source>
+            <translation>サーボタイムアウト</translation>
+        </message>
+        <message>
+            <source>Repeats of a read</source>
+            <translation>読出しの再試行回数</translation>
+        </message>
+        <message>
+            <source>Requests outstanding at once</source>
+            <translation>同時に応答を待つ要求数</translation>
+        </message>
+        <message>
+            <source>Requests a second, at most</source>
+            <translation>1秒あたりの最大要求数</translation>
+        </message>
+        <message>
+            <source>From %1 to %2</source>
+            <translation>%1から%2まで</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::RestoreDialog</name>
+        <message>
+            <source>Put that file back</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>閉じる</translation>
+        </message>
+        <message>
+            <source>Restore %1 from %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What would be done</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>File</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What is done</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A fresh backup of %1 is made first. Then the files below are sent one by one and read back. It stops at the first error.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>+ new: it is sent</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>≠ changed: it is replaced</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>= same: left alone</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ not allowed: left alone</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Back up, then restore %n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) are the same and not listed.</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>キャンセル</translation>
+        </message>
+        <message>
+            <source>Sending file %1 of %2…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Fresh backup: file %1 of %2…</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) were restored and read back.</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) were restored before that.</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>It was cancelled.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Stopped at %1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Nothing was sent.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The file is as it was before.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ The file could not be put back. Look at the controller.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ShortcutsDialog</name>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>キーボードショートカット</translation>
+        </message>
+        <message>
+            <source>Page: %1</source>
+            <translation>ページ: %1</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>メニュー</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::SignalPicker</name>
+        <message>
+            <source>Add a signal</source>
+            <translation>信号を追加</translation>
+        </message>
+        <message>
+            <source>For example: R1 torque, B005, #00010, M012</source>
+            <translation>例: R1 torque, B005, #00010, M012</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>検索</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>追加</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>閉じる</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::StartSheet</name>
+        <message>
+            <source>Start</source>
+            <translation>起動</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>キャンセル</translation>
+        </message>
+        <message>
+            <source>Start at %1</source>
+            <translation>起動 — %1</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>コントローラ</translation>
+        </message>
+        <message>
+            <source>Job</source>
+            <translation>ジョブ</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>開始行</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>サイクル</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>速度オーバーライド</translation>
+        </message>
+        <message>
+            <source>HOLD: Pause key</source>
+            <translation>HOLD: Pauseキー</translation>
+        </message>
+        <message>
+            <source>The robot will move</source>
+            <translation>ロボットが動きます</translation>
+        </message>
+        <message>
+            <source>With the keyboard: type %1, then F9</source>
+            <translation>キーボードの場合: %1と入力し、F9を押します</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>閉じる</translation>
+        </message>
+        <message>
+            <source>Start sent…</source>
+            <translation>起動を送信しました…</translation>
+        </message>
+        <message>
+            <source>Accepted. Waiting for RUN…</source>
+            <translation>受け付けられました。RUNを待っています…</translation>
+        </message>
+        <message>
+            <source>RUN: the job is running.</source>
+            <translation>RUN: ジョブは運転中です。</translation>
+        </message>
+        <message>
+            <source>The start was accepted, but no RUN was seen for 3 s. Usual causes: the job was so short that it has ended, it waits for a condition of the cell, or the pendant shows a question. Look at the pendant.</source>
+            <translation>起動は受け付けられましたが、3秒間RUNになりませんでした。よくある原因: ジョブが短くてすでに終わった、セルの条件を待っている、ペンダントに確認の問いが出ている。ペンダントを確認してください。</translation>
+        </message>
+        <message>
+            <source>No answer to the start: it may or may not have happened. Reading the status…</source>
+            <translation>起動への応答がありません。起動したかどうかは不明です。状態を読み出しています…</translation>
+        </message>
+        <message>
+            <source>No answer to the start, but the status says RUN: the job is running. It was sent once.</source>
+            <translation>起動への応答はありませんが、状態はRUNです。ジョブは運転中です。送信は1回だけです。</translation>
+        </message>
+        <message>
+            <source>No answer to the start, and the status says no RUN. Look at the robot before you start again.</source>
+            <translation>起動への応答がなく、状態もRUNではありません。再び起動する前に、ロボットを確認してください。</translation>
+        </message>
+        <message>
+            <source>No answer to the start, and none to the status: whether the robot runs is unknown. Look at it.</source>
+            <translation>起動にも状態の読出しにも応答がありません。ロボットが運転中かどうかは不明です。ロボットを確認してください。</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::WhyNotDialog</name>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>Conditions</source>
+            <translation>条件</translation>
+        </message>
+        <message>
+            <source>What must be the case</source>
+            <translation>必要な条件</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::JobDiff</name>
+        <message>
+            <source>%1 pulses in %2</source>
+            <translation>%2 %1パルス</translation>
+        </message>
+        <message>
+            <source>%1 mm in %2</source>
+            <translation>%2 %1 mm</translation>
+        </message>
+        <message>
+            <source>%1° in %2</source>
+            <translation>%2 %1°</translation>
+        </message>
+        <message>
+            <source>%1 changed: %2 → %3</source>
+            <translation>%1が変更: %2 → %3</translation>
+        </message>
+        <message>
+            <source>%1 moved %2</source>
+            <translation>%1が移動: %2</translation>
+        </message>
+        <message>
+            <source>Job name changed: “%1” → “%2”</source>
+            <translation>ジョブ名が変更: 「%1」 → 「%2」</translation>
+        </message>
+        <message>
+            <source>Comment changed: “%1” → “%2”</source>
+            <translation>コメントが変更: 「%1」 → 「%2」</translation>
+        </message>
+        <message>
+            <source>Attributes changed: %1 → %2</source>
+            <translation>属性が変更: %1 → %2</translation>
+        </message>
+        <message>
+            <source>Control groups changed: %1 → %2</source>
+            <translation>制御グループが変更: %1 → %2</translation>
+        </message>
+        <message>
+            <source>%1 added: %2</source>
+            <translation>%1を追加: %2</translation>
+        </message>
+        <message>
+            <source>%1 removed: %2</source>
+            <translation>%1を削除: %2</translation>
+        </message>
+        <message>
+            <source>%1 is taught otherwise: %2 → %3</source>
+            <translation>%1の教示方法が変更: %2 → %3</translation>
+        </message>
+        <message>
+            <source>%1 %2 → %3 at line %4</source>
+            <translation>%4行目の%1 %2 → %3</translation>
+        </message>
+        <message>
+            <source>Line %1: %2 → %3</source>
+            <translation>%1行目: %2 → %3</translation>
+        </message>
+        <message>
+            <source>Line %1 added: %2</source>
+            <translation>%1行目を追加: %2</translation>
+        </message>
+        <message>
+            <source>Line %1 removed: %2</source>
+            <translation>%1行目を削除: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Preflight</name>
+        <message>
+            <source>The file is empty; HSES cannot carry it.</source>
+            <translation>ファイルが空です。HSESでは転送できません。</translation>
+        </message>
+        <message>
+            <source>Controllers take no files of type “%1”.</source>
+            <translation>コントローラは「%1」タイプのファイルを受け付けません。</translation>
+        </message>
+        <message>
+            <source>“%1” is no name for a job.</source>
+            <translation>「%1」はジョブ名に使えません。</translation>
+        </message>
+        <message>
+            <source>The header names the job “%1”: that job would be written.</source>
+            <translation>ヘッダのジョブ名は「%1」です。そのジョブに書き込まれます。</translation>
+        </message>
+        <message>
+            <source>This is no job: it does not have the line /JOB.</source>
+            <translation>ジョブではありません。/JOBの行がありません。</translation>
+        </message>
+        <message>
+            <source>The first instruction is not NOP.</source>
+            <translation>最初の命令がNOPではありません。</translation>
+        </message>
+        <message>
+            <source>The last instruction is not END.</source>
+            <translation>最後の命令がENDではありません。</translation>
+        </message>
+        <message>
+            <source>///NPOS does not count the positions; there are %1.</source>
+            <translation>///NPOSの数が位置の数と合いません。位置は%1個です。</translation>
+        </message>
+        <message>
+            <source>The job is being executed.</source>
+            <translation>このジョブは実行中です。</translation>
+        </message>
+        <message>
+            <source>There is a control character in line %1.</source>
+            <translation>%1行目に制御文字があります。</translation>
+        </message>
+        <message>
+            <source>Lines do not end in CR LF, from line %1 on.</source>
+            <translation>%1行目から、行末がCR LFではありません。</translation>
+        </message>
+        <message>
+            <source>The last line does not end.</source>
+            <translation>最後の行に行末がありません。</translation>
+        </message>
+        <message>
+            <source>The comment is longer than 32 bytes.</source>
+            <translation>コメントが32バイトを超えています。</translation>
+        </message>
+        <message>
+            <source>Line %1 has characters beyond ASCII outside of a comment.</source>
+            <translation>%1行目のコメント以外の部分に、ASCII以外の文字があります。</translation>
+        </message>
+        <message>
+            <source>All names in the controller become those in this file. Back them up first.</source>
+            <translation>コントローラの名称はすべて、このファイルのものに置き換わります。先にバックアップしてください。</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Restore</name>
+        <message>
+            <source>It is not in the backup.</source>
+            <translation>バックアップにありません。</translation>
+        </message>
+        <message>
+            <source>What the controller has could not be read.</source>
+            <translation>コントローラにある内容を読み出せませんでした。</translation>
+        </message>
+        <message>
+            <source>In the backup it is not as it was written.</source>
+            <translation>バックアップの内容が、書き込んだときと異なります。</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Verify</name>
+        <message>
+            <source>This is no backup: %1 is missing or of another kind.</source>
+            <translation>バックアップではありません: %1がないか、種類が違います。</translation>
+        </message>
+        <message>
+            <source>%1 is not as it was written.</source>
+            <translation>%1が書き込んだときと異なります。</translation>
+        </message>
+        <message>
+            <source>%1 was changed.</source>
+            <translation>%1は変更されています。</translation>
+        </message>
+        <message>
+            <source>%1 is missing.</source>
+            <translation>%1がありません。</translation>
+        </message>
+        <message>
+            <source>%1 does not belong to the backup.</source>
+            <translation>%1はバックアップに属していません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>journal::Database</name>
+        <message>
+            <source>The folder of the journal cannot be made.</source>
+            <translation>操作履歴のフォルダを作成できません。</translation>
+        </message>
+        <message>
+            <source>The journal was made by a newer version of Pendesk.</source>
+            <translation>この操作履歴は、より新しいバージョンのPendeskで作成されています。</translation>
+        </message>
+        <message>
+            <source>The damaged journal cannot be given another name.</source>
+            <translation>破損した操作履歴の名前を変更できません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>journal::Store</name>
+        <message>
+            <source>The journal cannot be written: %1. Work goes on; records wait in memory.</source>
+            <translation>操作履歴に書き込めません: %1。動作は続けます。記録はメモリで待機しています。</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::ActiveAlarmModel</name>
+        <message>
+            <source>State</source>
+            <translation>状態</translation>
+        </message>
+        <message>
+            <source>Code</source>
+            <translation>コード</translation>
+        </message>
+        <message>
+            <source>Sub code</source>
+            <translation>サブコード</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Controller time</source>
+            <translation>コントローラ時刻</translation>
+        </message>
+        <message>
+            <source>First seen</source>
+            <translation>初回確認</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>回数</translation>
+        </message>
+        <message>
+            <source>The controller tells the newest four alarms only, and this is not one of them. It may be active.</source>
+            <translation>コントローラが知らせるのは最新の4つのアラームだけで、これはその中にありません。発生中の可能性があります。</translation>
+        </message>
+        <message>
+            <source>First seen by this computer: %1</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>models::AlarmHistoryModel</name>
+        <message>
+            <source>Controller time</source>
+            <translation>コントローラ時刻</translation>
+        </message>
+        <message>
+            <source>List</source>
+            <translation>リスト</translation>
+        </message>
+        <message>
+            <source>Code</source>
+            <translation>コード</translation>
+        </message>
+        <message>
+            <source>Sub code</source>
+            <translation>サブコード</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Read here</source>
+            <translation>読出し時刻</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::CodeStatisticsModel</name>
+        <message>
+            <source>Code</source>
+            <translation>コード</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名前</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>回数</translation>
+        </message>
+        <message>
+            <source>Mean time between</source>
+            <translation>平均間隔</translation>
+        </message>
+        <message>
+            <source>Last, controller time</source>
+            <translation>最終、コントローラ時刻</translation>
+        </message>
+        <message>
+            <source>%1 d %2 h</source>
+            <translation>%1日 %2時間</translation>
+        </message>
+        <message>
+            <source>%1 h %2 min</source>
+            <translation>%1時間 %2分</translation>
+        </message>
+        <message>
+            <source>under a minute</source>
+            <translation>1分未満</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 分</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::IncidentModel</name>
+        <message>
+            <source>%1  %2</source>
+            <translation>%1  %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::IoModel</name>
+        <message>
+            <source>refused</source>
+            <translation>拒否</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1。%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::JobListModel</name>
+        <message>
+            <source>%1 is being executed.</source>
+            <translation>%1は実行中です。</translation>
+        </message>
+        <message>
+            <source>%1, favourite</source>
+            <translation>%1、お気に入り</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::QueueModel</name>
+        <message>
+            <source>waiting</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>under way</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>中止しました</translation>
+        </message>
+        <message>
+            <source>▲ %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>done</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>done, read back identical</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>done, the controller reformatted %n line(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>▲ read back different</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ sent, but it could not be read back</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>← to the computer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>→ to the controller</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>✕ delete</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1/s</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>File</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Direction</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状態</translation>
+        </message>
+        <message>
+            <source>Bytes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Rate</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Remaining</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>models::TrackModel</name>
+        <message>
+            <source>Not read at that time.</source>
+            <translation>その時刻には読み出していません。</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Plot</source>
+            <translation>プロット</translation>
+        </message>
+        <message>
+            <source>Signal</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>値</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>単位</translation>
+        </message>
+        <message>
+            <source>Min in view</source>
+            <translation>表示範囲の最小</translation>
+        </message>
+        <message>
+            <source>Max in view</source>
+            <translation>表示範囲の最大</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::VariableModel</name>
+        <message>
+            <source>Number</source>
+            <translation>番号</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名前</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>値</translation>
+        </message>
+        <message>
+            <source>Previous</source>
+            <translation>前回</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>変更時刻</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>備考</translation>
+        </message>
+        <message>
+            <source>%1 (local)</source>
+            <translation>%1 (ローカル)</translation>
+        </message>
+        <message>
+            <source>wrote %1, reads %2</source>
+            <translation>書込み %1、読出し %2</translation>
+        </message>
+        <message>
+            <source>%1 → %2</source>
+            <comment>old and new value</comment>
+            <translation>%1 → %2</translation>
+        </message>
+        <message>
+            <source>not sent yet</source>
+            <translation>未送信</translation>
+        </message>
+        <message>
+            <source>not sent: %1</source>
+            <translation>未送信: %1</translation>
+        </message>
+        <message>
+            <source>being written…</source>
+            <translation>書込み中…</translation>
+        </message>
+        <message>
+            <source>refused: %1</source>
+            <translation>拒否: %1</translation>
+        </message>
+        <message>
+            <source>outcome unknown, look at the robot: %1</source>
+            <translation>結果不明、ロボットを確認してください: %1</translation>
+        </message>
+        <message>
+            <source>accepted, but another value was read back</source>
+            <translation>受け付けられましたが、別の値が読み戻されました</translation>
+        </message>
+        <message>
+            <source>The controller calls it “%1”.</source>
+            <translation>コントローラでの名称は「%1」です。</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3</source>
+            <comment>B007, value: 17</comment>
+            <translation>%1、%2: %3</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1。%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::WatchModel</name>
+        <message>
+            <source>Signal</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>In jobs</source>
+            <translation>ジョブでの使用</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名前</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>値</translation>
+        </message>
+        <message>
+            <source>Rising edges</source>
+            <translation>立上り</translation>
+        </message>
+        <message>
+            <source>Falling edges</source>
+            <translation>立下り</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>変更時刻</translation>
+        </message>
+    </context>
+    <context>
+        <name>names::Sentences</name>
+        <message>
+            <source>The line is not a number, a comma and a name.</source>
+            <translation>この行は「番号、カンマ、名称」の形ではありません。</translation>
+        </message>
+        <message>
+            <source>The line stands in a section that names neither signals nor variables.</source>
+            <translation>この行は、信号の名称でも変数の名称でもないセクションにあります。</translation>
+        </message>
+        <message>
+            <source>This controller has no number %1 there.</source>
+            <translation>このコントローラのその範囲に、番号%1はありません。</translation>
+        </message>
+        <message>
+            <source>The name “%1” holds bytes that the text encoding does not know.</source>
+            <translation>名称「%1」に、この文字コードにないバイトがあります。</translation>
+        </message>
+        <message>
+            <source>The number was named “%1” before; the last name counts.</source>
+            <translation>この番号には先に「%1」という名称があります。最後の名称が有効です。</translation>
+        </message>
+        <message>
+            <source>%1 has no signal #%2.</source>
+            <translation>%1に信号#%2はありません。</translation>
+        </message>
+        <message>
+            <source>There is no #%1: the last digit of a signal is 0 to 7.</source>
+            <translation>#%1はありません。信号の最後の桁は0から7までです。</translation>
+        </message>
+        <message>
+            <source>There is no %1#(%2): this controller has %1#(1) to %1#(%3).</source>
+            <translation>%1#(%2)はありません。このコントローラには%1#(1)から%1#(%3)まであります。</translation>
+        </message>
+        <message>
+            <source>“%1” is not a signal. Write #00010, IN#(1) or OT#(1).</source>
+            <translation>「%1」は信号ではありません。#00010、IN#(1)、OT#(1)のように書いてください。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ActiveAlarmsCard</name>
+        <message>
+            <source>Active alarms</source>
+            <translation>発生中のアラーム</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>確認</translation>
+        </message>
+        <message>
+            <source>Acknowledge all</source>
+            <translation>すべて確認</translation>
+        </message>
+        <message>
+            <source>Acknowledging is noted on this computer only. The robot does not hear of it.</source>
+            <translation>確認はこのコンピュータだけに記録します。ロボットには伝わりません。</translation>
+        </message>
+        <message>
+            <source>Choose one or more alarms in the table first.</source>
+            <translation>先に表でアラームを1つ以上選んでください。</translation>
+        </message>
+        <message>
+            <source>Whether there is an alarm is not known now.</source>
+            <translation>アラームがあるかどうか、現在は不明です。</translation>
+        </message>
+        <message>
+            <source>There is no alarm to clear.</source>
+            <translation>解除するアラームはありません。</translation>
+        </message>
+        <message>
+            <source>Clears the alarms whose causes are gone.</source>
+            <translation>原因がなくなったアラームを解除します。</translation>
+        </message>
+        <message>
+            <source>Clears, if the cause is gone: %1.</source>
+            <translation>原因がなくなっていれば解除します: %1。</translation>
+        </message>
+        <message>
+            <source>Whether there is an error is not known now.</source>
+            <translation>エラーがあるかどうか、現在は不明です。</translation>
+        </message>
+        <message>
+            <source>Clears the error message at the pendant, and no alarm.</source>
+            <translation>ペンダントのエラーメッセージを解除します。アラームは解除しません。</translation>
+        </message>
+        <message>
+            <source>There is no error to clear.</source>
+            <translation>解除するエラーはありません。</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is known of the active alarms.</source>
+            <translation>未接続のため、発生中のアラームは不明です。</translation>
+        </message>
+        <message>
+            <source>The alarms have not been read yet.</source>
+            <translation>アラームはまだ読み出していません。</translation>
+        </message>
+        <message>
+            <source>The controller does not tell its alarms.</source>
+            <translation>コントローラはアラームを知らせません。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s) active when last seen.</source>
+            <translation>
+                <numerusform>最終確認時に%n件のアラームが発生していました。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>No alarm is active.</source>
+            <translation>発生中のアラームはありません。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s) active, the newest first.</source>
+            <translation>
+                <numerusform>%n件のアラームが発生中です (新しい順)。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Reset accepted. Reading the alarms…</source>
+            <translation>リセットが受け付けられました。アラームを読み出しています…</translation>
+        </message>
+        <message>
+            <source>Reset accepted. Whether an alarm is left is not known: the status cannot be read.</source>
+            <translation>リセットが受け付けられました。状態を読み出せないため、アラームが残っているかどうかは不明です。</translation>
+        </message>
+        <message>
+            <source>Reset accepted. No alarm is active any more.</source>
+            <translation>リセットが受け付けられました。発生中のアラームはなくなりました。</translation>
+        </message>
+        <message>
+            <source>▲ Accepted, still active: remove the cause first.</source>
+            <translation>▲ 受け付けられましたが、まだ発生中です。先に原因を取り除いてください。</translation>
+        </message>
+        <message>
+            <source>▲ Accepted, still active: remove the cause first. Left are: %1.</source>
+            <translation>▲ 受け付けられましたが、まだ発生中です。先に原因を取り除いてください。残り: %1。</translation>
+        </message>
+        <message>
+            <source>Cancel error accepted.</source>
+            <translation>エラーキャンセルが受け付けられました。</translation>
+        </message>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>新しいアラーム %1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AlarmHistoryCard</name>
+        <message>
+            <source>History</source>
+            <translation>履歴</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>コピー</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>エクスポート…</translation>
+        </message>
+        <message>
+            <source>Past alarms</source>
+            <translation>過去のアラーム</translation>
+        </message>
+        <message>
+            <source>Most frequent</source>
+            <translation>発生頻度順</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>メモ</translation>
+        </message>
+        <message>
+            <source>List</source>
+            <translation>リスト</translation>
+        </message>
+        <message>
+            <source>All lists</source>
+            <translation>すべてのリスト</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>検索</translation>
+        </message>
+        <message>
+            <source>Search code, text or time</source>
+            <translation>コード、内容、時刻を検索</translation>
+        </message>
+        <message>
+            <source>Most frequent alarms</source>
+            <translation>発生頻度の高いアラーム</translation>
+        </message>
+        <message>
+            <source>Counted in everything this journal has of the controller. The times between are by the controller's clock; steps of that clock are left out.</source>
+            <translation>このコントローラについて操作履歴にあるすべてを数えています。間隔はコントローラの時計によります。時計が変更された部分は除いています。</translation>
+        </message>
+        <message>
+            <source>Note on %1</source>
+            <translation>%1のメモ</translation>
+        </message>
+        <message>
+            <source>Stop reading</source>
+            <translation>読出しを中止</translation>
+        </message>
+        <message>
+            <source>Read now</source>
+            <translation>今すぐ読出し</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading the history from the controller: %n entry(s) read.</source>
+            <translation>
+                <numerusform>コントローラから履歴を読み出しています: %n件読出し済み。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The journal cannot be read: %1.</source>
+            <translation>操作履歴を読み出せません: %1。</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading was stopped. %n entry(s) in the journal.</source>
+            <translation>
+                <numerusform>読出しを中止しました。操作履歴に%n件あります。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The history could not be read to its end: %1.</source>
+            <translation>履歴を最後まで読み出せませんでした: %1。</translation>
+        </message>
+        <message numerus="yes">
+            <source>The newest %n entry(s) of the journal; the export has all of them.</source>
+            <translation>
+                <numerusform>操作履歴の最新%n件です。エクスポートには全件が含まれます。</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n entry(s) in the journal, kept for ever.</source>
+            <translation>
+                <numerusform>操作履歴に%n件あり、無期限に保存します。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Export past alarms</source>
+            <translation>過去のアラームをエクスポート</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n entry(s) exported.</source>
+            <translation>
+                <numerusform>%n件をエクスポートしました。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>エクスポートしていません: %1。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AlarmNotes</name>
+        <message>
+            <source>Save note</source>
+            <translation>メモを保存</translation>
+        </message>
+        <message>
+            <source>Export notes…</source>
+            <translation>メモをエクスポート…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s) exported.</source>
+            <translation>
+                <numerusform>%n件のメモをエクスポートしました。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>エクスポートしていません: %1。</translation>
+        </message>
+        <message>
+            <source>Export notes</source>
+            <translation>メモをエクスポート</translation>
+        </message>
+        <message>
+            <source>Codes with a note</source>
+            <translation>メモのあるコード</translation>
+        </message>
+        <message>
+            <source>Alarm code</source>
+            <translation>アラームコード</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>原因</translation>
+        </message>
+        <message>
+            <source>What we did</source>
+            <translation>処置内容</translation>
+        </message>
+        <message>
+            <source>The notes cannot be read: %1.</source>
+            <translation>メモを読み出せません: %1。</translation>
+        </message>
+        <message>
+            <source>No note yet.</source>
+            <translation>まだメモはありません。</translation>
+        </message>
+        <message>
+            <source>Last changed by %1, %2.</source>
+            <translation>最終変更: %1、%2。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AxesCard</name>
+        <message>
+            <source>pulses</source>
+            <translation>パルス</translation>
+        </message>
+        <message>
+            <source>degrees</source>
+            <translation>度</translation>
+        </message>
+        <message>
+            <source>following error, pulses</source>
+            <translation>位置偏差、パルス</translation>
+        </message>
+        <message>
+            <source>torque, raw</source>
+            <translation>トルク、生値</translation>
+        </message>
+        <message>
+            <source>As the controller sends it: the unit is stated nowhere.</source>
+            <translation>コントローラが送ったままの値です。単位はどこにも示されていません。</translation>
+        </message>
+        <message>
+            <source>encoder, °C</source>
+            <translation>エンコーダ、°C</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <translation>最小</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>軸</translation>
+        </message>
+        <message>
+            <source>Converter %1: %2 °C</source>
+            <translation>コンバータ %1: %2 °C</translation>
+        </message>
+        <message>
+            <source>Converter %1: %2 °C, last seen %3</source>
+            <translation>コンバータ %1: %2 °C、最終確認 %3</translation>
+        </message>
+        <message>
+            <source>Converter temperature: %1</source>
+            <translation>コンバータ温度: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::BackupPage</name>
+        <message>
+            <source>Taken</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>変更時刻</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状態</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source> newest</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Keep any number</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source> days</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Keep any age</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Back up now</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Verify</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>比較</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Change</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Good: every byte of %n file(s) is as it was written.</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>▲ Not good: %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>After a backup keep</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The last good backup and pinned ones are never deleted.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compare with</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>with the backup before</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>with the newest backup</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>with the controller now</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Restore…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>In %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Unpin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose a backup first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Files are being read.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reading file %1 of %2…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reading the lists…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ There is no new backup: %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ %1 of %2 files were backed up.</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>All %n file(s) were backed up.</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Reading every byte…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There is no other backup to compare with.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The controller's files were read.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>≠ changed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>pages::CartesianCard</name>
+        <message>
+            <source>now</source>
+            <translation>現在</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <translation>最小</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Tool point</source>
+            <translation>制御点</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>形態</translation>
+        </message>
+        <message>
+            <source>Extended form</source>
+            <translation>拡張形態</translation>
+        </message>
+        <message>
+            <source>%1 · base frame, tool %2</source>
+            <translation>%1 · ベース座標、ツール %2</translation>
+        </message>
+        <message>
+            <source>%1 · base frame</source>
+            <translation>%1 · ベース座標</translation>
+        </message>
+        <message>
+            <source>%1 has no tool point: HSES tells it of robots only.</source>
+            <translation>%1に制御点はありません。HSESが知らせるのはロボットの制御点だけです。</translation>
+        </message>
+        <message>
+            <source>%1, base frame, tool %2</source>
+            <translation>%1、ベース座標、ツール %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::CycleCard</name>
+        <message>
+            <source>Cycle</source>
+            <translation>サイクル</translation>
+        </message>
+        <message>
+            <source>Actual</source>
+            <translation>実際</translation>
+        </message>
+        <message>
+            <source>Requested here</source>
+            <translation>ここからの要求</translation>
+        </message>
+        <message>
+            <source>Nothing was requested from here.</source>
+            <translation>ここからは何も要求していません。</translation>
+        </message>
+        <message>
+            <source>Cycle mode to request</source>
+            <translation>要求するサイクルモード</translation>
+        </message>
+        <message>
+            <source>Request</source>
+            <translation>要求</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::FilePane</name>
+        <message numerus="yes">
+            <source>%n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::FilesPage</name>
+        <message>
+            <source>This computer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>コントローラ</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>再読出し</translation>
+        </message>
+        <message>
+            <source>← Fetch</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Folder of the files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Type of the files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Send →</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Transfers</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>キャンセル</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There are no controller files in this folder.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reading the list…</source>
+            <translation>一覧を読み出しています…</translation>
+        </message>
+        <message>
+            <source>The controller lists no files of this type.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose files on the left first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Choose files on the right first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Before sending</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Send</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>pages::GroupCard</name>
+        <message>
+            <source>axis %1</source>
+            <translation>軸%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::HoldCard</name>
+        <message>
+            <source>Hold</source>
+            <translation>ホールド</translation>
+        </message>
+        <message>
+            <source>Held by</source>
+            <translation>ホールド元</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::IoPage</name>
+        <message>
+            <source>User in</source>
+            <translation>汎用入力</translation>
+        </message>
+        <message>
+            <source>User out</source>
+            <translation>汎用出力</translation>
+        </message>
+        <message>
+            <source>External in</source>
+            <translation>外部入力</translation>
+        </message>
+        <message>
+            <source>Network in</source>
+            <translation>ネットワーク入力</translation>
+        </message>
+        <message>
+            <source>External out</source>
+            <translation>外部出力</translation>
+        </message>
+        <message>
+            <source>Network out</source>
+            <translation>ネットワーク出力</translation>
+        </message>
+        <message>
+            <source>System in</source>
+            <translation>専用入力</translation>
+        </message>
+        <message>
+            <source>System out</source>
+            <translation>専用出力</translation>
+        </message>
+        <message>
+            <source>Panel</source>
+            <translation>パネル</translation>
+        </message>
+        <message>
+            <source>Relays</source>
+            <translation>補助リレー</translation>
+        </message>
+        <message>
+            <source>Control</source>
+            <translation>制御状態</translation>
+        </message>
+        <message>
+            <source>Pseudo in</source>
+            <translation>疑似入力</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>ジャンプ</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>ジャンプ…  Ctrl+G</translation>
+        </message>
+        <message>
+            <source>Count from 0</source>
+            <translation>0から数え直す</translation>
+        </message>
+        <message>
+            <source>Watch</source>
+            <translation>ウォッチ</translation>
+        </message>
+        <message>
+            <source>Over HSES only network inputs can be written: this lamp only shows.</source>
+            <translation>HSESで書き込めるのはネットワーク入力だけです。このランプは表示専用です。</translation>
+        </message>
+        <message>
+            <source>Write…</source>
+            <translation>書込み…</translation>
+        </message>
+        <message>
+            <source>Name it here…</source>
+            <translation>ここで名称を付ける…</translation>
+        </message>
+        <message>
+            <source>Take the local name away</source>
+            <translation>ローカルの名称を外す</translation>
+        </message>
+        <message>
+            <source>Watch no longer</source>
+            <translation>ウォッチをやめる</translation>
+        </message>
+        <message>
+            <source>Copy the address</source>
+            <translation>アドレスをコピー</translation>
+        </message>
+        <message>
+            <source>Edges are counted from what is read four times a second; shorter pulses are not seen.</source>
+            <translation>エッジは毎秒4回の読出しから数えます。それより短いパルスは検出しません。</translation>
+        </message>
+        <message>
+            <source>Network inputs can be written: press Enter on a lamp.</source>
+            <translation>ネットワーク入力は書き込めます。ランプの上でEnterを押してください。</translation>
+        </message>
+        <message>
+            <source>These lamps only show: over HSES only network inputs can be written.</source>
+            <translation>これらのランプは表示専用です。HSESで書き込めるのはネットワーク入力だけです。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n group(s) from %1 on are refused: %2.</source>
+            <translation>
+                <numerusform>%1からの%nグループは拒否されました: %2。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The controller's names are not known: %1.</source>
+            <translation>コントローラの名称は不明です: %1。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) of IONAME.DAT could not be read.</source>
+            <translation>
+                <numerusform>IONAME.DATの%n行を読み取れませんでした。</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobCard</name>
+        <message>
+            <source>Executing</source>
+            <translation>実行中</translation>
+        </message>
+        <message>
+            <source>master task</source>
+            <translation>マスタタスク</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobListCard</name>
+        <message>
+            <source>Jobs on the controller</source>
+            <translation>コントローラのジョブ</translation>
+        </message>
+        <message>
+            <source>★ Favourite</source>
+            <translation>★ お気に入り</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>再読出し</translation>
+        </message>
+        <message>
+            <source>Filter</source>
+            <translation>絞り込み</translation>
+        </message>
+        <message>
+            <source>Filter jobs by name</source>
+            <translation>ジョブ名で絞り込み</translation>
+        </message>
+        <message>
+            <source>The list could not be read: %1.</source>
+            <translation>一覧を読み出せませんでした: %1。</translation>
+        </message>
+        <message>
+            <source>Reading the list…</source>
+            <translation>一覧を読み出しています…</translation>
+        </message>
+        <message>
+            <source>The list was not read yet.</source>
+            <translation>一覧はまだ読み出していません。</translation>
+        </message>
+        <message>
+            <source>There is no job on the controller.</source>
+            <translation>コントローラにジョブがありません。</translation>
+        </message>
+        <message>
+            <source>No job has “%1” in its name.</source>
+            <translation>名前に「%1」を含むジョブはありません。</translation>
+        </message>
+        <message>
+            <source>reading…</source>
+            <translation>読出し中…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n job(s)</source>
+            <translation>
+                <numerusform>%n個のジョブ</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1, read at %2</source>
+            <translation>%1、%2に読出し</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobTextCard</name>
+        <message>
+            <source>Job text</source>
+            <translation>ジョブの内容</translation>
+        </message>
+        <message>
+            <source>Choose a job in the list to read it.</source>
+            <translation>読み出すジョブを一覧から選んでください。</translation>
+        </message>
+        <message>
+            <source>Follow what is executed</source>
+            <translation>実行行を追従</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>再読出し</translation>
+        </message>
+        <message>
+            <source>Labels and calls</source>
+            <translation>ラベルと呼出し</translation>
+        </message>
+        <message>
+            <source>%1  %2</source>
+            <comment>line and label</comment>
+            <translation>%1  %2</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>reading…</source>
+            <translation>読出し中…</translation>
+        </message>
+        <message>
+            <source>read at %1</source>
+            <translation>%1に読出し</translation>
+        </message>
+        <message>
+            <source>The job could not be read: %1.</source>
+            <translation>ジョブを読み出せませんでした: %1。</translation>
+        </message>
+        <message>
+            <source>Read at %1. The controller was in TEACH or the link was lost since: this copy may be old.</source>
+            <translation>%1に読出し。その後コントローラがTEACHになったか通信が途絶したため、この写しは古い可能性があります。</translation>
+        </message>
+        <message>
+            <source>This file has no NOP line: it holds no instructions that could be shown.</source>
+            <translation>このファイルにはNOPの行がなく、表示できる命令がありません。</translation>
+        </message>
+        <message>
+            <source>Reading the job…</source>
+            <translation>ジョブを読み出しています…</translation>
+        </message>
+        <message>
+            <source>The job was not read yet.</source>
+            <translation>ジョブはまだ読み出していません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobsPage</name>
+        <message>
+            <source>Orders</source>
+            <translation>指令</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JournalPage</name>
+        <message>
+            <source>At any time</source>
+            <translation>全期間</translation>
+        </message>
+        <message>
+            <source>Today</source>
+            <translation>今日</translation>
+        </message>
+        <message>
+            <source>Last 7 days</source>
+            <translation>過去7日間</translation>
+        </message>
+        <message>
+            <source>Last 30 days</source>
+            <translation>過去30日間</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>操作履歴</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>コントローラ</translation>
+        </message>
+        <message>
+            <source>All controllers</source>
+            <translation>すべてのコントローラ</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Everything</source>
+            <translation>すべて</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>結果</translation>
+        </message>
+        <message>
+            <source>Any outcome</source>
+            <translation>すべての結果</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>コピー</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>エクスポート…</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>時刻</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>検索</translation>
+        </message>
+        <message>
+            <source>Search in all texts</source>
+            <translation>すべての文字列を検索</translation>
+        </message>
+        <message>
+            <source>Reading the journal…</source>
+            <translation>操作履歴を読み出しています…</translation>
+        </message>
+        <message>
+            <source>The journal cannot be read: %1.</source>
+            <translation>操作履歴を読み出せません: %1。</translation>
+        </message>
+        <message>
+            <source>Nothing was tried that fits this filter.</source>
+            <translation>この絞り込みに合う操作はありません。</translation>
+        </message>
+        <message numerus="yes">
+            <source>The newest %n record(s). Scroll down for older ones.</source>
+            <translation>
+                <numerusform>最新の%n件です。古い記録は下へスクロールしてください。</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n record(s)</source>
+            <translation>
+                <numerusform>%n件の記録</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a record to read all of it here.</source>
+            <translation>記録を選ぶと、全文をここに表示します。</translation>
+        </message>
+        <message>
+            <source>%1: %2 at %3.</source>
+            <translation>%1: %2 (%3)。</translation>
+        </message>
+        <message>
+            <source>Outcome: %1.</source>
+            <translation>結果: %1。</translation>
+        </message>
+        <message>
+            <source>By %1 at %2, level %3.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Export the journal</source>
+            <translation>操作履歴をエクスポート</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n record(s) exported.</source>
+            <translation>
+                <numerusform>%n件の記録をエクスポートしました。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>エクスポートしていません: %1。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::LinkCard</name>
+        <message>
+            <source>%1 repeated</source>
+            <translation>再送 %1</translation>
+        </message>
+        <message>
+            <source>%1 unanswered</source>
+            <translation>無応答 %1</translation>
+        </message>
+        <message>
+            <source>%1 late</source>
+            <translation>遅延 %1</translation>
+        </message>
+        <message>
+            <source>%1 twice</source>
+            <translation>重複 %1</translation>
+        </message>
+        <message>
+            <source>%1 mismatched</source>
+            <translation>不一致 %1</translation>
+        </message>
+        <message>
+            <source>%1 malformed</source>
+            <translation>形式不正 %1</translation>
+        </message>
+        <message>
+            <source>%1 from elsewhere</source>
+            <translation>別の送信元 %1</translation>
+        </message>
+        <message>
+            <source>%1 busy</source>
+            <translation>ビジー %1</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>なし</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>リンク</translation>
+        </message>
+        <message>
+            <source>last 60 s</source>
+            <translation>直近60秒</translation>
+        </message>
+        <message>
+            <source>round trip p50 / p95</source>
+            <translation>往復時間 p50 / p95</translation>
+        </message>
+        <message>
+            <source>lost</source>
+            <translation>消失</translation>
+        </message>
+        <message>
+            <source>requests</source>
+            <translation>要求</translation>
+        </message>
+        <message>
+            <source>last answer</source>
+            <translation>最後の応答</translation>
+        </message>
+        <message>
+            <source>sent / answered</source>
+            <translation>送信 / 応答</translation>
+        </message>
+        <message>
+            <source>unusual</source>
+            <translation>異常</translation>
+        </message>
+        <message>
+            <source>%1 / %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>%1 /s of %2</source>
+            <translation>%1 /秒 (上限 %2)</translation>
+        </message>
+        <message>
+            <source>%1 ago</source>
+            <translation>%1前</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::NotConnectedPanel</name>
+        <message>
+            <source>Connect to %1</source>
+            <translation>%1に接続</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>別のコントローラ…</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>接続…</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>デモを開く</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>未接続</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
+            <translation>何も読み出さず、何も表示していません。ネットワーク上のロボットコントローラに、名前またはアドレスで接続してください。コントローラのEthernetサーバ機能を有効にしておく必要があります。</translation>
+        </message>
+        <message>
+            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
+            <translation>接続は読出しだけを行います。手元にロボットがなくても、デモには専用の模擬コントローラがあります。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::OptionsCard</name>
+        <message>
+            <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
+            <translation>いつでも: 上のボタン、Pauseキー、またはCtrl+Shift+H。</translation>
+        </message>
+        <message>
+            <source>sent repeatedly until confirmed or 2 s have passed. Have the pendant at hand.</source>
+            <translation>確認されるか2秒が過ぎるまで、繰り返し送信します。ペンダントを手元に置いてください。</translation>
+        </message>
+        <message>
+            <source>there is no connection: use the pendant.</source>
+            <translation>接続していません。ペンダントを使ってください。</translation>
+        </message>
+        <message>
+            <source>What can I do now?</source>
+            <translation>今できること</translation>
+        </message>
+        <message>
+            <source>HOLD</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>possible</source>
+            <translation>可能</translation>
+        </message>
+        <message>
+            <source>not possible</source>
+            <translation>不可</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PendantCard</name>
+        <message>
+            <source>Pendant</source>
+            <translation>ペンダント</translation>
+        </message>
+        <message>
+            <source>Message for the pendant</source>
+            <translation>ペンダントへのメッセージ</translation>
+        </message>
+        <message>
+            <source>Show on the pendant</source>
+            <translation>ペンダントに表示</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 of %n byte(s)</source>
+            <translation>
+                <numerusform>%1 / %nバイト</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Type a message first.</source>
+            <translation>先にメッセージを入力してください。</translation>
+        </message>
+        <message>
+            <source>The controller's encoding cannot hold this: %1.</source>
+            <translation>コントローラの文字コードでは表せません: %1。</translation>
+        </message>
+        <message>
+            <source>The message is too long for the pendant.</source>
+            <translation>メッセージがペンダントには長すぎます。</translation>
+        </message>
+        <message>
+            <source>HLOCK was switched on from here: the pendant is locked out, but for its emergency stop.</source>
+            <translation>ここからHLOCKをオンにしました。ペンダントは非常停止を除いて操作できません。</translation>
+        </message>
+        <message>
+            <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
+            <translation>HLOCKはペンダントの操作を禁止します。オンかどうかはHSESでは読み出せません。ここからはオンにしていません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PositionCard</name>
+        <message>
+            <source>Position</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>R1 · base frame, tool %1  ·  pulses</source>
+            <translation>R1 · ベース座標、ツール %1  ·  パルス</translation>
+        </message>
+        <message>
+            <source>R1 · base frame  ·  pulses</source>
+            <translation>R1 · ベース座標  ·  パルス</translation>
+        </message>
+        <message>
+            <source>axis %1</source>
+            <translation>軸%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PositionPage</name>
+        <message>
+            <source>Control groups</source>
+            <translation>制御グループ</translation>
+        </message>
+        <message>
+            <source>Reset min and max</source>
+            <translation>最小と最大をリセット</translation>
+        </message>
+        <message>
+            <source>Copy as text</source>
+            <translation>テキストとしてコピー</translation>
+        </message>
+        <message>
+            <source>Not shown because refused: %1 of %2 control groups.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>pages::RegistersPage</name>
+        <message>
+            <source>How registers are written</source>
+            <translation>レジスタの表記</translation>
+        </message>
+        <message>
+            <source>Decimal</source>
+            <translation>10進</translation>
+        </message>
+        <message>
+            <source>Signed</source>
+            <translation>符号付き</translation>
+        </message>
+        <message>
+            <source>Hexadecimal</source>
+            <translation>16進</translation>
+        </message>
+        <message>
+            <source>Binary</source>
+            <translation>2進</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written; the others belong to the ladder.</source>
+            <translation>書き込めるのはM000からM559までです。ほかはラダーが使います。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SelectCard</name>
+        <message>
+            <source>Select</source>
+            <translation>選択</translation>
+        </message>
+        <message>
+            <source>Select as</source>
+            <translation>選択方法</translation>
+        </message>
+        <message>
+            <source>to be executed</source>
+            <translation>実行ジョブ</translation>
+        </message>
+        <message>
+            <source>master job</source>
+            <translation>マスタジョブ</translation>
+        </message>
+        <message>
+            <source>master job of sub task %1</source>
+            <translation>サブタスク%1のマスタジョブ</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>開始行</translation>
+        </message>
+        <message>
+            <source>line </source>
+            <translation>行 </translation>
+        </message>
+        <message>
+            <source>Select %1</source>
+            <translation>%1を選択</translation>
+        </message>
+        <message>
+            <source>Choose a job in the list first.</source>
+            <translation>先に一覧でジョブを選んでください。</translation>
+        </message>
+        <message>
+            <source>%1, line %2</source>
+            <translation>%1、行 %2</translation>
+        </message>
+        <message>
+            <source>task %1</source>
+            <translation>タスク%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SelectionCard</name>
+        <message>
+            <source>Job</source>
+            <translation>ジョブ</translation>
+        </message>
+        <message>
+            <source>Selected</source>
+            <translation>選択中</translation>
+        </message>
+        <message>
+            <source>Starts at</source>
+            <translation>開始位置</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>実行中</translation>
+        </message>
+        <message>
+            <source>Where it is</source>
+            <translation>現在の位置</translation>
+        </message>
+        <message>
+            <source>master task</source>
+            <translation>マスタタスク</translation>
+        </message>
+        <message>
+            <source>No job is running.</source>
+            <translation>運転中のジョブはありません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ServoCard</name>
+        <message>
+            <source>Servo</source>
+            <translation>サーボ</translation>
+        </message>
+        <message>
+            <source>Servo power</source>
+            <translation>サーボ電源</translation>
+        </message>
+        <message>
+            <source>A job is running: servo off stops it at once.</source>
+            <translation>ジョブが運転中です。サーボオフにすると直ちに停止します。</translation>
+        </message>
+        <message>
+            <source>Servo on…</source>
+            <translation>サーボオン…</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>サーボオン</translation>
+        </message>
+        <message>
+            <source>Switch servo power on at %1?
+
+The robot can move from then on. Nobody may be inside the fence.</source>
+            <translation>%1のサーボ電源を入れますか?
+
+以後、ロボットが動く可能性があります。安全柵の中に人がいてはいけません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::StartCard</name>
+        <message>
+            <source>Start</source>
+            <translation>起動</translation>
+        </message>
+        <message>
+            <source>Start…</source>
+            <translation>起動…</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::StateCard</name>
+        <message>
+            <source>State</source>
+            <translation>状態</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SystemCard</name>
+        <message>
+            <source>System</source>
+            <translation>システム</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>機種</translation>
+        </message>
+        <message>
+            <source>Software</source>
+            <translation>ソフトウェア</translation>
+        </message>
+        <message>
+            <source>Parameters</source>
+            <translation>パラメータ</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>コピー</translation>
+        </message>
+        <message>
+            <source>Copy the system information</source>
+            <translation>システム情報をコピー</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but this is the software of a %2: correct the profile.</source>
+            <translation>プロファイルでは%1ですが、このソフトウェアは%2のものです。プロファイルを修正してください。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::TasksCard</name>
+        <message>
+            <source>Tasks</source>
+            <translation>タスク</translation>
+        </message>
+        <message>
+            <source>Show the sub tasks</source>
+            <translation>サブタスクを表示</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n sub task(s)</source>
+            <translation>
+                <numerusform>%n個のサブタスク</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Sub task %1</source>
+            <translation>サブタスク%1</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ToolPathCard</name>
+        <message>
+            <source>Tool path</source>
+            <translation>ツール軌跡</translation>
+        </message>
+        <message>
+            <source>Clear path</source>
+            <translation>軌跡を消去</translation>
+        </message>
+        <message>
+            <source>%1 · base frame</source>
+            <translation>%1 · ベース座標</translation>
+        </message>
+        <message>
+            <source>%1 has no tool point: HSES tells it of robots only.</source>
+            <translation>%1に制御点はありません。HSESが知らせるのはロボットの制御点だけです。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::TrendPage</name>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 秒</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 分</translation>
+        </message>
+        <message>
+            <source>Add signal…</source>
+            <translation>信号を追加…</translation>
+        </message>
+        <message>
+            <source>Export CSV…</source>
+            <translation>CSVエクスポート…</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>一時停止</translation>
+        </message>
+        <message>
+            <source>Freezes the view; recording goes on.</source>
+            <translation>表示を止めます。記録は続きます。</translation>
+        </message>
+        <message>
+            <source>Back to live</source>
+            <translation>ライブに戻る</translation>
+        </message>
+        <message>
+            <source>Time in view</source>
+            <translation>表示時間</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>トレンド</translation>
+        </message>
+        <message>
+            <source>Nothing is plotted yet. Drag a number here from any page, choose “Add to trend” in its menu, or add a signal.</source>
+            <translation>まだ何もプロットしていません。任意のページから数値をここへドラッグするか、そのメニューで「トレンドに追加」を選ぶか、信号を追加してください。</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>Remove from trend</source>
+            <translation>トレンドから外す</translation>
+        </message>
+        <message>
+            <source>Incidents</source>
+            <translation>インシデント</translation>
+        </message>
+        <message>
+            <source>60 s before an alarm, 20 s after</source>
+            <translation>アラームの60秒前から20秒後まで</translation>
+        </message>
+        <message>
+            <source>Open incident</source>
+            <translation>インシデントを開く</translation>
+        </message>
+        <message>
+            <source>No alarm has been recorded yet.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>It could not be saved: %1</source>
+            <translation>保存できませんでした: %1</translation>
+        </message>
+        <message>
+            <source>Incident of %1: %2</source>
+            <translation>%1のインシデント: %2</translation>
+        </message>
+        <message>
+            <source>Paused at %1; recording goes on</source>
+            <translation>%1に一時停止、記録は継続中</translation>
+        </message>
+        <message>
+            <source>Nothing is recorded: no communication</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Live; values of %1</source>
+            <translation>ライブ、%1の値</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>ライブ</translation>
+        </message>
+        <message>
+            <source>%1 is refused by the controller.</source>
+            <translation>%1はコントローラに拒否されました。</translation>
+        </message>
+        <message>
+            <source>Go on</source>
+            <translation>再開</translation>
+        </message>
+        <message>
+            <source>This incident cannot be read: %1</source>
+            <translation>このインシデントを読み出せません: %1</translation>
+        </message>
+        <message>
+            <source>Export what is in view</source>
+            <translation>表示範囲をエクスポート</translation>
+        </message>
+        <message>
+            <source>CSV files (*.csv)</source>
+            <translation>CSVファイル (*.csv)</translation>
+        </message>
+        <message>
+            <source>The file could not be written: %1</source>
+            <translation>ファイルに書き込めませんでした: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariableSheet</name>
+        <message>
+            <source>Discard</source>
+            <translation>破棄</translation>
+        </message>
+        <message>
+            <source>Undo last</source>
+            <translation>直前の書込みを戻す</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>ジャンプ</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>ジャンプ…  Ctrl+G</translation>
+        </message>
+        <message>
+            <source>Import…</source>
+            <translation>インポート…</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>エクスポート…</translation>
+        </message>
+        <message>
+            <source>%1 can only be read over HSES.</source>
+            <translation>%1はHSESでは読出し専用です。</translation>
+        </message>
+        <message>
+            <source>Writing…</source>
+            <translation>書込み中…</translation>
+        </message>
+        <message numerus="yes">
+            <source>Apply %n…</source>
+            <translation>
+                <numerusform>%n個を適用…</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The values are being written.</source>
+            <translation>値を書き込んでいます。</translation>
+        </message>
+        <message>
+            <source>Nothing is staged: press Enter in a value.</source>
+            <translation>書込み予定の値はありません。値の上でEnterを押してください。</translation>
+        </message>
+        <message>
+            <source>Nothing is staged.</source>
+            <translation>書込み予定の値はありません。</translation>
+        </message>
+        <message>
+            <source>Stages the values that stood there before.</source>
+            <translation>書込み前の値を書込み予定に追加します。</translation>
+        </message>
+        <message>
+            <source>Nothing was written that could be undone.</source>
+            <translation>元に戻せる書込みはありません。</translation>
+        </message>
+        <message>
+            <source>Import values</source>
+            <translation>値をインポート</translation>
+        </message>
+        <message>
+            <source>CSV files (*.csv)</source>
+            <translation>CSVファイル (*.csv)</translation>
+        </message>
+        <message>
+            <source>%1 cannot be read: %2.</source>
+            <translation>%1を読み出せません: %2。</translation>
+        </message>
+        <message>
+            <source>Export values</source>
+            <translation>値をエクスポート</translation>
+        </message>
+        <message>
+            <source>%1 was written.</source>
+            <translation>%1を書き込みました。</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written: %2.</source>
+            <translation>%1に書き込めません: %2。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariablesPage</name>
+        <message>
+            <source>Verify…</source>
+            <translation>照合…</translation>
+        </message>
+        <message>
+            <source>Compares two variables with the pendant. It only reads.</source>
+            <translation>2つの変数をペンダントと比較します。読出しだけを行います。</translation>
+        </message>
+        <message>
+            <source>New watch page…</source>
+            <translation>新しいウォッチページ…</translation>
+        </message>
+        <message>
+            <source>New watch page</source>
+            <translation>新しいウォッチページ</translation>
+        </message>
+        <message>
+            <source>Name of the page</source>
+            <translation>ページの名前</translation>
+        </message>
+        <message>
+            <source>Watch: %1</source>
+            <translation>ウォッチ: %1</translation>
+        </message>
+        <message>
+            <source>Delete this watch page</source>
+            <translation>このウォッチページを削除</translation>
+        </message>
+        <message>
+            <source>Show on the watch page “%1”</source>
+            <translation>ウォッチページ「%1」に表示</translation>
+        </message>
+        <message>
+            <source>Take off this watch page</source>
+            <translation>このウォッチページから外す</translation>
+        </message>
+        <message>
+            <source>There is no watch page yet.</source>
+            <translation>ウォッチページはまだありません。</translation>
+        </message>
+        <message>
+            <source>Numbering not verified: nothing is written before it was compared with the pendant.</source>
+            <translation>変数番号の方式が未照合です。ペンダントと比較するまで、何も書き込みません。</translation>
+        </message>
+        <message>
+            <source>Simulation: number %1 on the network is B000.</source>
+            <translation>シミュレーション: ネットワーク上の番号%1がB000です。</translation>
+        </message>
+        <message>
+            <source>Numbering verified %1: number %2 on the network is B000.</source>
+            <translation>変数番号の方式は%1に照合済み: ネットワーク上の番号%2がB000です。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendesk</name>
+        <message>
+            <source>A teach and monitor desk for Yaskawa robot controllers.</source>
+            <translation>安川電機のロボットコントローラ用のティーチ・監視デスクです。</translation>
+        </message>
+        <message>
+            <source>Connect to a simulated controller inside the program.</source>
+            <translation>プログラム内の模擬コントローラに接続します。</translation>
+        </message>
+        <message>
+            <source>light, dark, or auto for the desktop's choice.</source>
+            <translation>light、dark、またはデスクトップの設定に従うauto。</translation>
+        </message>
+        <message>
+            <source>Language of the window, as a code such as de; the desktop's unless told otherwise.</source>
+            <translation>ウィンドウの言語 (deなどのコード)。指定しなければデスクトップの言語。</translation>
+        </message>
+        <message>
+            <source>Allow watching, HOLD and servo off alone, whatever the person at the desk tries.</source>
+            <translation>操作者が何をしようとしても、監視、HOLD、サーボオフだけを許可します。</translation>
+        </message>
+        <message>
+            <source>Write pictures of every page to this folder, print the status read, and end.</source>
+            <translation>全ページの画像をこのフォルダに書き出し、読み出した状態を表示して終了します。</translation>
+        </message>
+        <message>
+            <source>Print when the window was painted and when the first status was live.</source>
+            <translation>ウィンドウの描画時刻と、最初の状態がライブになった時刻を表示します。</translation>
+        </message>
+        <message>
+            <source>--demo brings its own controller: leave out --host and --profile.</source>
+            <translation>--demoは専用のコントローラを使います。--hostと--profileは指定しないでください。</translation>
+        </message>
+        <message>
+            <source>--theme must be light, dark or auto.</source>
+            <translation>--themeはlight、dark、autoのいずれかにしてください。</translation>
+        </message>
+        <message>
+            <source>--language must be one of: %1.</source>
+            <translation>--languageは次のいずれかにしてください: %1。</translation>
+        </message>
+        <message>
+            <source>“%1” is not an option.</source>
+            <translation>「%1」というオプションはありません。</translation>
+        </message>
+        <message>
+            <source>--pictures needs a folder, and --demo, --host or --profile.</source>
+            <translation>--picturesにはフォルダと、--demo、--host、--profileのいずれかが必要です。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendesk::Pictures</name>
+        <message>
+            <source>not everything was read</source>
+            <translation>すべては読み出せませんでした</translation>
+        </message>
+        <message>
+            <source>pendesk: no live controller within 5 s: %1.</source>
+            <translation>pendesk: 5秒以内にライブのコントローラが見つかりません: %1。</translation>
+        </message>
+        <message>
+            <source>pendesk: the folder %1 cannot be made.</source>
+            <translation>pendesk: フォルダ%1を作成できません。</translation>
+        </message>
+        <message>
+            <source>pendesk: %1 cannot be written.</source>
+            <translation>pendesk: %1に書き込めません。</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>機種</translation>
+        </message>
+        <message>
+            <source>Software</source>
+            <translation>ソフトウェア</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>モード</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>サイクル</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>サーボ</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>運転</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>ホールド</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>エラー</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>実行中</translation>
+        </message>
+        <message>
+            <source>Pictures are in %1</source>
+            <translation>画像の保存先: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendeskctl</name>
+        <message>
+            <source>%1 files were restored. The fresh backup is %2.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete all but the newest N backups afterwards, never the last good one.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Delete backups older than N days afterwards, never the last good one.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads all files of the controller into DIR/&lt;controller&gt;/&lt;UTC time&gt;, in BagIt form.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say the folder of the backups.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads a backup and tells whether it is what was written.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say the backup.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Count dates, counters, blanks and line ends as differences too.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Compares two backups, or a backup with the controller; exit code 1 if they differ.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say one or two backups.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Only print what would be done.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Sends back what differs from a backup: first a fresh backup beside it, then file by file, each read back. Stops at the first error; never while a job runs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>“%1” is no file name.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Print for people instead of JSON.</source>
+            <translation>JSONではなく、人が読む形で表示します。</translation>
+        </message>
+        <message>
+            <source>The request that a reply answers.</source>
+            <translation>応答が答える要求。</translation>
+        </message>
+        <message>
+            <source>The port of the packets: 10040 or 10041.</source>
+            <translation>パケットのポート: 10040または10041。</translation>
+        </message>
+        <message>
+            <source>The encoding of texts.</source>
+            <translation>テキストの文字コード。</translation>
+        </message>
+        <message>
+            <source>The controller model.</source>
+            <translation>コントローラの機種。</translation>
+        </message>
+        <message>
+            <source>A packet; without any, one a line on stdin.</source>
+            <translation>パケット。指定しなければ、stdinから1行に1つ。</translation>
+        </message>
+        <message>
+            <source>A job is running; files are not changed meanwhile.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The name “%1” has no IPv4 address.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The folder “%1” cannot be made.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 exists and is left alone; --yes replaces it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>“%1” is no name that a controller takes.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 exists at the controller and is left alone; --replace replaces it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Lists the jobs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The folder for what comes; for rm, for the copies.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>put: replace what the controller has.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read status, job, position and system information</source>
+            <translation>状態、ジョブ、位置、システム情報を読み出します</translation>
+        </message>
+        <message>
+            <source>read model, system software and parameter version</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read the active alarms, or a list of the history</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read where the robot stands</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>list the jobs</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read I/O, write a network input</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read and write registers</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read and write variables</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>list, read, send and delete files</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read all files of a controller into a new backup</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>tell whether a backup is what was written</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>compare two backups, or one with the controller</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>send back what differs from a backup</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>read values again and again</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>take packets given in hex apart</source>
+            <translation>16進で与えたパケットを分解して表示します</translation>
+        </message>
+        <message>
+            <source>Usage: pendeskctl VERB [options]</source>
+            <translation>使い方: pendeskctl VERB [options]</translation>
+        </message>
+        <message>
+            <source>pendeskctl VERB --help tells more.</source>
+            <translation>詳しくは pendeskctl VERB --help を参照してください。</translation>
+        </message>
+        <message>
+            <source>there is no verb “%1”.</source>
+            <translation>「%1」というVERBはありません。</translation>
+        </message>
+        <message>
+            <source>%1: the controller has no such row of I/O groups.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Instance of the first variable on this controller, 0 or 1 (parameter RS022).</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Print JSON.</source>
+            <translation>JSONを表示します。</translation>
+        </message>
+        <message>
+            <source>Yes, write: what changes something does nothing without it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>No progress and no remarks.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>--numbering takes 0 or 1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Name the controller with --host or --profile.</source>
+            <translation>--hostまたは--profileでコントローラを指定してください。</translation>
+        </message>
+        <message>
+            <source>See pendeskctl %1 --help.</source>
+            <translation>pendeskctl %1 --help を参照してください。</translation>
+        </message>
+        <message>
+            <source>This changes something at the controller or on this computer. Add --yes to do it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say what to read.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Positions are not written from the command line.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Nobody has verified which instance a variable has on this controller. Compare one value with the pendant, then say --numbering 0 or --numbering 1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Another value was read back: %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>io set takes one signal, such as 27010, and 0 or 1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 cannot be written: HSES writes network inputs alone.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Say “get NAME…” or “set NAME VALUE”.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads model, system software and parameter version.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>In pulses instead of the base frame.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads where the first robot stands.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A list of the history instead: major, minor, user, system or offline.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads the active alarms, newest first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>--history takes major, minor, user, system or offline.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads rows of I/O groups (2701..2710) or signals (27010, IN#(1)); writes one network input.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads registers; writes one and reads it back.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads variables B I D R S P BP EX; writes one and reads it back.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Time between two readings: 1s, 200ms.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>End after so many readings.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads variables, registers (M005) and I/O again and again, one line of JSON with --json.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>--every takes a time such as 200ms or 1s, --count a whole number.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Reads status, executing job, position and system information once.</source>
+            <translation>状態、実行中のジョブ、位置、システム情報を1回読み出します。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendeskctl::AlarmReader</name>
+        <message>
+            <source>There are no alarms.</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>protocol</name>
+        <message>
+            <source>refused with status %1, which is not in the code list</source>
+            <translation>ステータス%1で拒否されました (コード一覧にありません)</translation>
+        </message>
+        <message>
+            <source>%1 refused, with a code that is not in the code list</source>
+            <translation>%1は拒否されました (コードは一覧にありません)</translation>
+        </message>
+        <message>
+            <source>the controller did not answer; nothing was changed</source>
+            <translation>コントローラが応答しませんでした。何も変更していません</translation>
+        </message>
+        <message>
+            <source>no answer: it may or may not have happened — look at the robot</source>
+            <translation>応答がありません。実行されたかどうかは不明です — ロボットを確認してください</translation>
+        </message>
+        <message>
+            <source>the answer does not fit the question</source>
+            <translation>応答が要求と合いません</translation>
+        </message>
+        <message>
+            <source>nothing was sent</source>
+            <translation>何も送信していません</translation>
+        </message>
+        <message>
+            <source>this computer's network refused</source>
+            <translation>このコンピュータのネットワークが拒否しました</translation>
+        </message>
+        <message>
+            <source>this cannot be sent to a controller</source>
+            <translation>これはコントローラに送信できません</translation>
+        </message>
+        <message>
+            <source>a file on this computer could not be read or written</source>
+            <translation>このコンピュータのファイルを読み書きできませんでした</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>中止しました</translation>
+        </message>
+        <message>
+            <source>the command is faulty</source>
+            <translation>コマンドに誤りがあります</translation>
+        </message>
+        <message>
+            <source>the command has the wrong number of operands</source>
+            <translation>コマンドのオペランドの数が違います</translation>
+        </message>
+        <message>
+            <source>an operand is out of its range</source>
+            <translation>オペランドが範囲外です</translation>
+        </message>
+        <message>
+            <source>an operand has the wrong length</source>
+            <translation>オペランドの長さが違います</translation>
+        </message>
+        <message>
+            <source>the device holds too many files</source>
+            <translation>デバイスのファイルが多すぎます</translation>
+        </message>
+        <message>
+            <source>delete files that are not needed</source>
+            <translation>不要なファイルを削除してください</translation>
+        </message>
+        <message>
+            <source>the robot is running</source>
+            <translation>ロボットが動作中です</translation>
+        </message>
+        <message>
+            <source>wait until it has stopped, or hold it</source>
+            <translation>停止するまで待つか、ホールドしてください</translation>
+        </message>
+        <message>
+            <source>held by the pendant</source>
+            <translation>ペンダントによるホールド中です</translation>
+        </message>
+        <message>
+            <source>release HOLD on the pendant</source>
+            <translation>ペンダントでHOLDを解除してください</translation>
+        </message>
+        <message>
+            <source>held by the playback panel</source>
+            <translation>プレイバックパネルによるホールド中です</translation>
+        </message>
+        <message>
+            <source>release HOLD on the panel or pendant</source>
+            <translation>パネルまたはペンダントでHOLDを解除してください</translation>
+        </message>
+        <message>
+            <source>held by an external signal</source>
+            <translation>外部信号によるホールド中です</translation>
+        </message>
+        <message>
+            <source>release the external hold signal</source>
+            <translation>外部ホールド信号を解除してください</translation>
+        </message>
+        <message>
+            <source>held by a command</source>
+            <translation>コマンドによるホールド中です</translation>
+        </message>
+        <message>
+            <source>switch HOLD off</source>
+            <translation>HOLDをオフにしてください</translation>
+        </message>
+        <message>
+            <source>an alarm or error is present</source>
+            <translation>アラームまたはエラーが発生しています</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset the alarm</source>
+            <translation>原因を取り除いてから、アラームをリセットしてください</translation>
+        </message>
+        <message>
+            <source>servo power is off</source>
+            <translation>サーボ電源がオフです</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>サーボをオンにしてください</translation>
+        </message>
+        <message>
+            <source>the controller is in the wrong mode</source>
+            <translation>コントローラのモードが違います</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to the mode needed, usually PLAY in REMOTE</source>
+            <translation>ペンダントのモードキーを必要なモードにしてください (通常はREMOTEでPLAY)</translation>
+        </message>
+        <message>
+            <source>the files are in use by another function</source>
+            <translation>ファイルは別の機能が使用中です</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>しばらくしてからやり直してください</translation>
+        </message>
+        <message>
+            <source>command remote is not enabled</source>
+            <translation>コマンドリモートが有効になっていません</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and enable command remote</source>
+            <translation>ペンダントのモードキーをREMOTEにし、コマンドリモートを有効にしてください</translation>
+        </message>
+        <message>
+            <source>this data may not be accessed</source>
+            <translation>このデータにはアクセスできません</translation>
+        </message>
+        <message>
+            <source>check the security mode and the data protection on the pendant</source>
+            <translation>ペンダントでセキュリティモードとデータ保護を確認してください</translation>
+        </message>
+        <message>
+            <source>this data may not be loaded</source>
+            <translation>このデータはロードできません</translation>
+        </message>
+        <message>
+            <source>the data is being edited</source>
+            <translation>データは編集中です</translation>
+        </message>
+        <message>
+            <source>leave the editor on the pendant</source>
+            <translation>ペンダントで編集を終了してください</translation>
+        </message>
+        <message>
+            <source>a coordinate conversion is in progress</source>
+            <translation>座標変換の実行中です</translation>
+        </message>
+        <message>
+            <source>try again when it has ended</source>
+            <translation>終わってからやり直してください</translation>
+        </message>
+        <message>
+            <source>servo power must be on first</source>
+            <translation>先にサーボ電源をオンにする必要があります</translation>
+        </message>
+        <message>
+            <source>the home position must be set or checked</source>
+            <translation>原点位置の設定または確認が必要です</translation>
+        </message>
+        <message>
+            <source>check the home position on the pendant</source>
+            <translation>ペンダントで原点位置を確認してください</translation>
+        </message>
+        <message>
+            <source>the position must be checked</source>
+            <translation>位置確認が必要です</translation>
+        </message>
+        <message>
+            <source>confirm the position on the pendant</source>
+            <translation>ペンダントで位置確認を行ってください</translation>
+        </message>
+        <message>
+            <source>the present position is not available</source>
+            <translation>現在位置を取得できません</translation>
+        </message>
+        <message>
+            <source>the panel lock prohibits a change of mode or cycle</source>
+            <translation>パネルロックにより、モードとサイクルの変更が禁止されています</translation>
+        </message>
+        <message>
+            <source>release the panel lock</source>
+            <translation>パネルロックを解除してください</translation>
+        </message>
+        <message>
+            <source>the panel lock prohibits a start</source>
+            <translation>パネルロックにより、起動が禁止されています</translation>
+        </message>
+        <message>
+            <source>the user frame is not taught</source>
+            <translation>ユーザ座標が教示されていません</translation>
+        </message>
+        <message>
+            <source>teach the user frame</source>
+            <translation>ユーザ座標を教示してください</translation>
+        </message>
+        <message>
+            <source>the user frame data is damaged</source>
+            <translation>ユーザ座標のデータが壊れています</translation>
+        </message>
+        <message>
+            <source>teach the user frame again</source>
+            <translation>ユーザ座標を教示し直してください</translation>
+        </message>
+        <message>
+            <source>the control group is wrong</source>
+            <translation>制御グループが違います</translation>
+        </message>
+        <message>
+            <source>choose a control group that this controller has</source>
+            <translation>このコントローラにある制御グループを選んでください</translation>
+        </message>
+        <message>
+            <source>the base axis data is wrong</source>
+            <translation>ベース軸のデータに誤りがあります</translation>
+        </message>
+        <message>
+            <source>a relative job may not be converted</source>
+            <translation>相対ジョブの変換は許可されていません</translation>
+        </message>
+        <message>
+            <source>permit the conversion on the pendant</source>
+            <translation>ペンダントで変換を許可してください</translation>
+        </message>
+        <message>
+            <source>a parameter prohibits calling the master job</source>
+            <translation>パラメータにより、マスタジョブの呼出しが禁止されています</translation>
+        </message>
+        <message>
+            <source>permit the master call on the pendant</source>
+            <translation>ペンダントでマスタ呼出しを許可してください</translation>
+        </message>
+        <message>
+            <source>the master job may not be called while operating</source>
+            <translation>動作中はマスタジョブを呼び出せません</translation>
+        </message>
+        <message>
+            <source>wait until the operation has ended</source>
+            <translation>動作が終わるまで待ってください</translation>
+        </message>
+        <message>
+            <source>the teach lock prohibits calling the master job</source>
+            <translation>ティーチロックにより、マスタジョブの呼出しが禁止されています</translation>
+        </message>
+        <message>
+            <source>release the teach lock</source>
+            <translation>ティーチロックを解除してください</translation>
+        </message>
+        <message>
+            <source>robot calibration data is missing</source>
+            <translation>ロボット間キャリブレーションのデータがありません</translation>
+        </message>
+        <message>
+            <source>calibrate the robots</source>
+            <translation>ロボットのキャリブレーションを行ってください</translation>
+        </message>
+        <message>
+            <source>servo power cannot be switched on</source>
+            <translation>サーボ電源をオンにできません</translation>
+        </message>
+        <message>
+            <source>check the safety chain: emergency stop, safeguards, alarms</source>
+            <translation>安全回路を確認してください: 非常停止、安全防護、アラーム</translation>
+        </message>
+        <message>
+            <source>the coordinate system cannot be set</source>
+            <translation>座標系を設定できません</translation>
+        </message>
+        <message>
+            <source>no memory is left for jobs</source>
+            <translation>ジョブ用のメモリが残っていません</translation>
+        </message>
+        <message>
+            <source>delete jobs that are not needed</source>
+            <translation>不要なジョブを削除してください</translation>
+        </message>
+        <message>
+            <source>no memory is left for position data</source>
+            <translation>位置データ用のメモリが残っていません</translation>
+        </message>
+        <message>
+            <source>editing of this job is prohibited</source>
+            <translation>このジョブの編集は禁止されています</translation>
+        </message>
+        <message>
+            <source>remove the edit lock of the job</source>
+            <translation>ジョブの編集禁止を解除してください</translation>
+        </message>
+        <message>
+            <source>a job of that name exists</source>
+            <translation>同じ名前のジョブがあります</translation>
+        </message>
+        <message>
+            <source>delete or rename it, or permit overwriting</source>
+            <translation>削除するか名前を変更するか、上書きを許可してください</translation>
+        </message>
+        <message>
+            <source>the job was not found</source>
+            <translation>ジョブが見つかりませんでした</translation>
+        </message>
+        <message>
+            <source>check the job name</source>
+            <translation>ジョブ名を確認してください</translation>
+        </message>
+        <message>
+            <source>no job is set for execution</source>
+            <translation>実行するジョブが設定されていません</translation>
+        </message>
+        <message>
+            <source>select a job first</source>
+            <translation>先にジョブを選択してください</translation>
+        </message>
+        <message>
+            <source>position data is damaged</source>
+            <translation>位置データが壊れています</translation>
+        </message>
+        <message>
+            <source>load the job again from a backup</source>
+            <translation>バックアップからジョブをロードし直してください</translation>
+        </message>
+        <message>
+            <source>position data is missing</source>
+            <translation>位置データがありません</translation>
+        </message>
+        <message>
+            <source>teach the missing position</source>
+            <translation>不足している位置を教示してください</translation>
+        </message>
+        <message>
+            <source>the position variable has the wrong type</source>
+            <translation>位置変数のタイプが違います</translation>
+        </message>
+        <message>
+            <source>write the type that the variable is declared with</source>
+            <translation>変数の宣言と同じタイプで書き込んでください</translation>
+        </message>
+        <message>
+            <source>END was reached in a job that is not the master</source>
+            <translation>マスタではないジョブでENDに達しました</translation>
+        </message>
+        <message>
+            <source>instruction data is damaged</source>
+            <translation>命令データが壊れています</translation>
+        </message>
+        <message>
+            <source>the job name has a character that is not allowed</source>
+            <translation>ジョブ名に使えない文字があります</translation>
+        </message>
+        <message>
+            <source>rename the job</source>
+            <translation>ジョブの名前を変更してください</translation>
+        </message>
+        <message>
+            <source>a label has a character that is not allowed</source>
+            <translation>ラベルに使えない文字があります</translation>
+        </message>
+        <message>
+            <source>rename the label</source>
+            <translation>ラベルの名前を変更してください</translation>
+        </message>
+        <message>
+            <source>this system does not have the instruction</source>
+            <translation>このシステムにその命令はありません</translation>
+        </message>
+        <message>
+            <source>the job to convert has no steps</source>
+            <translation>変換するジョブにステップがありません</translation>
+        </message>
+        <message>
+            <source>the job is converted already</source>
+            <translation>ジョブはすでに変換されています</translation>
+        </message>
+        <message>
+            <source>the user frame must be taught</source>
+            <translation>ユーザ座標の教示が必要です</translation>
+        </message>
+        <message>
+            <source>relative jobs or independent control are not permitted</source>
+            <translation>相対ジョブまたは独立制御は許可されていません</translation>
+        </message>
+        <message>
+            <source>an instruction has a syntax error</source>
+            <translation>命令に構文エラーがあります</translation>
+        </message>
+        <message>
+            <source>correct the instruction</source>
+            <translation>命令を修正してください</translation>
+        </message>
+        <message>
+            <source>the position data has an error</source>
+            <translation>位置データに誤りがあります</translation>
+        </message>
+        <message>
+            <source>correct the position section</source>
+            <translation>位置データの部分を修正してください</translation>
+        </message>
+        <message>
+            <source>NOP or END is missing</source>
+            <translation>NOPまたはENDがありません</translation>
+        </message>
+        <message>
+            <source>begin the instructions with NOP and end them with END</source>
+            <translation>命令をNOPで始め、ENDで終えてください</translation>
+        </message>
+        <message>
+            <source>the format is wrong</source>
+            <translation>形式に誤りがあります</translation>
+        </message>
+        <message>
+            <source>the number of data is wrong</source>
+            <translation>データの数が違います</translation>
+        </message>
+        <message>
+            <source>correct the counts in the NPOS line</source>
+            <translation>NPOSの行の数を修正してください</translation>
+        </message>
+        <message>
+            <source>a value is out of range</source>
+            <translation>値が範囲外です</translation>
+        </message>
+        <message>
+            <source>correct the value</source>
+            <translation>値を修正してください</translation>
+        </message>
+        <message>
+            <source>there is a syntax error outside the instructions</source>
+            <translation>命令以外の部分に構文エラーがあります</translation>
+        </message>
+        <message>
+            <source>correct the header of the file</source>
+            <translation>ファイルのヘッダを修正してください</translation>
+        </message>
+        <message>
+            <source>a pseudo instruction is wrong</source>
+            <translation>疑似命令に誤りがあります</translation>
+        </message>
+        <message>
+            <source>correct the line that starts with slashes</source>
+            <translation>スラッシュで始まる行を修正してください</translation>
+        </message>
+        <message>
+            <source>a record of a condition file has an error</source>
+            <translation>条件ファイルのレコードに誤りがあります</translation>
+        </message>
+        <message>
+            <source>a record of a job has an error</source>
+            <translation>ジョブのレコードに誤りがあります</translation>
+        </message>
+        <message>
+            <source>the data comes from a different system</source>
+            <translation>別のシステムのデータです</translation>
+        </message>
+        <message>
+            <source>the welding type does not match</source>
+            <translation>溶接のタイプが一致しません</translation>
+        </message>
+        <message>
+            <source>the robot or station is operating</source>
+            <translation>ロボットまたはステーションが動作中です</translation>
+        </message>
+        <message>
+            <source>back up when nothing moves</source>
+            <translation>何も動いていないときにバックアップしてください</translation>
+        </message>
+        <message>
+            <source>the device has too little memory</source>
+            <translation>デバイスの容量が不足しています</translation>
+        </message>
+        <message>
+            <source>free memory on the device or use a larger one</source>
+            <translation>デバイスの空きを増やすか、容量の大きいものを使ってください</translation>
+        </message>
+        <message>
+            <source>the device cannot be accessed</source>
+            <translation>デバイスにアクセスできません</translation>
+        </message>
+        <message>
+            <source>check that the device is inserted</source>
+            <translation>デバイスが挿入されているか確認してください</translation>
+        </message>
+        <message>
+            <source>a backup was not expected now</source>
+            <translation>今はバックアップを受け付けない状態です</translation>
+        </message>
+        <message>
+            <source>the image is larger than the RAM area</source>
+            <translation>イメージがRAM領域より大きいです</translation>
+        </message>
+        <message>
+            <source>enlarge the RAM area for backups</source>
+            <translation>バックアップ用のRAM領域を増やしてください</translation>
+        </message>
+        <message>
+            <source>no memory was reserved at power-on</source>
+            <translation>電源投入時にメモリが確保されていません</translation>
+        </message>
+        <message>
+            <source>switch the controller off and on</source>
+            <translation>コントローラの電源を入れ直してください</translation>
+        </message>
+        <message>
+            <source>the backup file information cannot be accessed</source>
+            <translation>バックアップファイルの情報にアクセスできません</translation>
+        </message>
+        <message>
+            <source>the old backup could not be removed</source>
+            <translation>古いバックアップを削除できませんでした</translation>
+        </message>
+        <message>
+            <source>the backup could not be renamed</source>
+            <translation>バックアップの名前を変更できませんでした</translation>
+        </message>
+        <message>
+            <source>the drive name is too long</source>
+            <translation>ドライブ名が長すぎます</translation>
+        </message>
+        <message>
+            <source>the device is the wrong one</source>
+            <translation>デバイスが違います</translation>
+        </message>
+        <message>
+            <source>set the automatic backup to the RAM disk</source>
+            <translation>自動バックアップの保存先をRAMディスクにしてください</translation>
+        </message>
+        <message>
+            <source>a system error occurred</source>
+            <translation>システムエラーが発生しました</translation>
+        </message>
+        <message>
+            <source>automatic backup is not available</source>
+            <translation>自動バックアップは使用できません</translation>
+        </message>
+        <message>
+            <source>set up automatic backup on the pendant</source>
+            <translation>ペンダントで自動バックアップを設定してください</translation>
+        </message>
+        <message>
+            <source>an automatic backup is running</source>
+            <translation>自動バックアップの実行中です</translation>
+        </message>
+        <message>
+            <source>the controller does not know this command</source>
+            <translation>コントローラがこのコマンドに対応していません</translation>
+        </message>
+        <message>
+            <source>the number does not exist on this controller</source>
+            <translation>その番号はこのコントローラにありません</translation>
+        </message>
+        <message>
+            <source>check the number and the variable numbering</source>
+            <translation>番号と変数番号の方式を確認してください</translation>
+        </message>
+        <message>
+            <source>the element does not exist on this controller</source>
+            <translation>その要素はこのコントローラにありません</translation>
+        </message>
+        <message>
+            <source>the reply would be too large for the hardware</source>
+            <translation>応答がハードウェアの上限を超えます</translation>
+        </message>
+        <message>
+            <source>ask for less at once</source>
+            <translation>一度に要求する量を減らしてください</translation>
+        </message>
+        <message>
+            <source>the reply would be too large</source>
+            <translation>応答が大きすぎます</translation>
+        </message>
+        <message>
+            <source>the position variable is not defined</source>
+            <translation>位置変数が定義されていません</translation>
+        </message>
+        <message>
+            <source>teach or write it first</source>
+            <translation>先に教示するか、書き込んでください</translation>
+        </message>
+        <message>
+            <source>this data may not be used</source>
+            <translation>このデータは使用できません</translation>
+        </message>
+        <message>
+            <source>the size of the request data is wrong</source>
+            <translation>要求データのサイズが違います</translation>
+        </message>
+        <message>
+            <source>the data is not set</source>
+            <translation>データが設定されていません</translation>
+        </message>
+        <message>
+            <source>set it first</source>
+            <translation>先に設定してください</translation>
+        </message>
+        <message>
+            <source>the application is not registered</source>
+            <translation>アプリケーションが登録されていません</translation>
+        </message>
+        <message>
+            <source>the type is not registered</source>
+            <translation>タイプが登録されていません</translation>
+        </message>
+        <message>
+            <source>the control group setting is wrong</source>
+            <translation>制御グループの設定に誤りがあります</translation>
+        </message>
+        <message>
+            <source>name either robots or stations that this controller has</source>
+            <translation>このコントローラにあるロボットかステーションのどちらかを指定してください</translation>
+        </message>
+        <message>
+            <source>the speed setting is wrong</source>
+            <translation>速度の設定に誤りがあります</translation>
+        </message>
+        <message>
+            <source>use percent for joint and mm/s or °/s for straight moves</source>
+            <translation>関節動作には%、直線動作にはmm/sか°/sを使ってください</translation>
+        </message>
+        <message>
+            <source>no speed is given</source>
+            <translation>速度が指定されていません</translation>
+        </message>
+        <message>
+            <source>give a speed above 0</source>
+            <translation>0より大きい速度を指定してください</translation>
+        </message>
+        <message>
+            <source>the coordinate system setting is wrong</source>
+            <translation>座標系の設定に誤りがあります</translation>
+        </message>
+        <message>
+            <source>the type or form setting is wrong</source>
+            <translation>タイプまたは形態の設定に誤りがあります</translation>
+        </message>
+        <message>
+            <source>the tool number is wrong</source>
+            <translation>ツール番号に誤りがあります</translation>
+        </message>
+        <message>
+            <source>use 0 to 63</source>
+            <translation>0から63までを使ってください</translation>
+        </message>
+        <message>
+            <source>the user frame number is wrong</source>
+            <translation>ユーザ座標番号に誤りがあります</translation>
+        </message>
+        <message>
+            <source>use 1 to 63 with a user frame, else 0</source>
+            <translation>ユーザ座標では1から63まで、それ以外は0を使ってください</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: data area</source>
+            <translation>コントローラの内部エラー: データ領域</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: reply area exceeded</source>
+            <translation>コントローラの内部エラー: 応答領域の超過</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: element size mismatch</source>
+            <translation>コントローラの内部エラー: 要素サイズの不一致</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: customised function</source>
+            <translation>コントローラの内部エラー: カスタマイズ機能</translation>
+        </message>
+        <message>
+            <source>another error</source>
+            <translation>その他のエラー</translation>
+        </message>
+        <message>
+            <source>busy with another command</source>
+            <translation>別のコマンドの処理中です</translation>
+        </message>
+        <message>
+            <source>another access is in progress</source>
+            <translation>別のアクセスが進行中です</translation>
+        </message>
+        <message>
+            <source>the backup parameter setting is wrong</source>
+            <translation>バックアップのパラメータ設定に誤りがあります</translation>
+        </message>
+        <message>
+            <source>the backup file was not created</source>
+            <translation>バックアップファイルが作成されませんでした</translation>
+        </message>
+        <message>
+            <source>check that the controller is in remote mode</source>
+            <translation>コントローラがリモートモードか確認してください</translation>
+        </message>
+        <message>
+            <source>internal system error of the controller</source>
+            <translation>コントローラの内部システムエラー</translation>
+        </message>
+        <message>
+            <source>the transfer was dropped: nothing came in time</source>
+            <translation>時間内に何も届かず、転送が打ち切られました</translation>
+        </message>
+        <message>
+            <source>start the transfer again</source>
+            <translation>転送をやり直してください</translation>
+        </message>
+        <message>
+            <source>the file cannot be overwritten</source>
+            <translation>ファイルを上書きできません</translation>
+        </message>
+        <message>
+            <source>permit overwriting, or delete the file first</source>
+            <translation>上書きを許可するか、先にファイルを削除してください</translation>
+        </message>
+        <message>
+            <source>the file is missing or empty</source>
+            <translation>ファイルがないか、空です</translation>
+        </message>
+        <message>
+            <source>check the file name</source>
+            <translation>ファイル名を確認してください</translation>
+        </message>
+        <message>
+            <source>the path is wrong</source>
+            <translation>パスに誤りがあります</translation>
+        </message>
+        <message>
+            <source>check the path</source>
+            <translation>パスを確認してください</translation>
+        </message>
+        <message>
+            <source>the file is not in the list</source>
+            <translation>ファイルが一覧にありません</translation>
+        </message>
+        <message>
+            <source>the file may not be deleted</source>
+            <translation>このファイルは削除できません</translation>
+        </message>
+        <message>
+            <source>the directory may not be deleted</source>
+            <translation>このディレクトリは削除できません</translation>
+        </message>
+        <message>
+            <source>files cannot be accessed while remote is off</source>
+            <translation>リモートがオフの間はファイルにアクセスできません</translation>
+        </message>
+        <message>
+            <source>the file was not found</source>
+            <translation>ファイルが見つかりませんでした</translation>
+        </message>
+        <message>
+            <source>the path is too long</source>
+            <translation>パスが長すぎます</translation>
+        </message>
+        <message>
+            <source>use a shorter name</source>
+            <translation>もっと短い名前を使ってください</translation>
+        </message>
+        <message>
+            <source>packet without data</source>
+            <translation>データのないパケット</translation>
+        </message>
+        <message>
+            <source>packet too large</source>
+            <translation>パケットが大きすぎます</translation>
+        </message>
+        <message>
+            <source>packet of size 0</source>
+            <translation>サイズ0のパケット</translation>
+        </message>
+        <message>
+            <source>packet with a wrong block number</source>
+            <translation>ブロック番号の違うパケット</translation>
+        </message>
+        <message>
+            <source>packet with a wrong ACK byte</source>
+            <translation>ACKバイトの違うパケット</translation>
+        </message>
+        <message>
+            <source>packet of a wrong division</source>
+            <translation>処理区分の違うパケット</translation>
+        </message>
+        <message>
+            <source>check that robot and file port are not exchanged</source>
+            <translation>ロボットポートとファイルポートが入れ替わっていないか確認してください</translation>
+        </message>
+        <message>
+            <source>packet with a wrong access level</source>
+            <translation>アクセスレベルの違うパケット</translation>
+        </message>
+        <message>
+            <source>packet with a wrong header size</source>
+            <translation>ヘッダサイズの違うパケット</translation>
+        </message>
+        <message>
+            <source>packet with a wrong identifier</source>
+            <translation>識別子の違うパケット</translation>
+        </message>
+        <message>
+            <source>announced and received packet sizes differ</source>
+            <translation>通知されたパケットサイズと受信したサイズが異なります</translation>
+        </message>
+        <message>
+            <source>too many requests</source>
+            <translation>要求が多すぎます</translation>
+        </message>
+        <message>
+            <source>ask less often, or try again in a moment</source>
+            <translation>要求の頻度を下げるか、しばらくしてからやり直してください</translation>
+        </message>
+        <message>
+            <source>the mode was changed and the communication dropped</source>
+            <translation>モードが変更され、通信が打ち切られました</translation>
+        </message>
+        <message>
+            <source>start again in the new mode</source>
+            <translation>新しいモードでやり直してください</translation>
+        </message>
+    </context>
+    <context>
+        <name>robot::Controller</name>
+        <message>
+            <source>The name %1 is not known to this computer.</source>
+            <translation>%1という名前はこのコンピュータでは不明です。</translation>
+        </message>
+    </context>
+    <context>
+        <name>robot::Diagnosis</name>
+        <message>
+            <source>Host name</source>
+            <translation>ホスト名</translation>
+        </message>
+        <message>
+            <source>Way to the host</source>
+            <translation>ホストへの経路</translation>
+        </message>
+        <message>
+            <source>Robot port</source>
+            <translation>ロボットポート</translation>
+        </message>
+        <message>
+            <source>System information</source>
+            <translation>システム情報</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>ファイルポート</translation>
+        </message>
+        <message>
+            <source>Not looked at, because the step before it failed.</source>
+            <translation>前の段階が不合格のため、確認していません。</translation>
+        </message>
+        <message>
+            <source>The name “%1” has no IPv4 address on this computer.</source>
+            <translation>名前「%1」のIPv4アドレスは、このコンピュータでは不明です。</translation>
+        </message>
+        <message>
+            <source>Check the spelling, or enter the controller's IPv4 address as the pendant shows it.</source>
+            <translation>つづりを確認するか、ペンダントに表示されるコントローラのIPv4アドレスを入力してください。</translation>
+        </message>
+        <message>
+            <source>%1 is %2.</source>
+            <translation>%1は%2です。</translation>
+        </message>
+        <message>
+            <source>This computer cannot send to %1: %2.</source>
+            <translation>このコンピュータから%1へ送信できません: %2。</translation>
+        </message>
+        <message>
+            <source>Check the cable and this computer's IPv4 address: it must be in the controller's network.</source>
+            <translation>ケーブルとこのコンピュータのIPv4アドレスを確認してください。コントローラと同じネットワークでなければなりません。</translation>
+        </message>
+        <message>
+            <source>This computer can send to %1.</source>
+            <translation>このコンピュータから%1へ送信できます。</translation>
+        </message>
+        <message>
+            <source>Port %1 answers with a status.</source>
+            <translation>ポート%1が状態を応答しています。</translation>
+        </message>
+        <message>
+            <source>Port %1 answers but refuses to tell the status: %2</source>
+            <translation>ポート%1は応答しますが、状態の読出しを拒否しています: %2</translation>
+        </message>
+        <message>
+            <source>Check on the pendant that the network function server is enabled for this computer.</source>
+            <translation>このコンピュータに対してネットワーク機能サーバが有効か、ペンダントで確認してください。</translation>
+        </message>
+        <message>
+            <source>Answers come from another address than %1; they are ignored.</source>
+            <translation>応答が%1とは別のアドレスから届いています。これらは無視します。</translation>
+        </message>
+        <message>
+            <source>Look for a second network card or an address translation between this computer and the controller.</source>
+            <translation>このコンピュータとコントローラの間に、2枚目のネットワークカードやアドレス変換がないか調べてください。</translation>
+        </message>
+        <message>
+            <source>Something answers at port %1, but not with HSES.</source>
+            <translation>ポート%1で何かが応答していますが、HSESではありません。</translation>
+        </message>
+        <message>
+            <source>Check the address and the port: HSES is UDP %1 on a controller.</source>
+            <translation>アドレスとポートを確認してください。コントローラのHSESはUDP %1です。</translation>
+        </message>
+        <message>
+            <source>The host rejects port %1: %2.</source>
+            <translation>ホストがポート%1を拒否しています: %2。</translation>
+        </message>
+        <message>
+            <source>The host is there, but no HSES server: enable the Ethernet server function on the controller.</source>
+            <translation>ホストはありますが、HSESサーバがありません。コントローラのEthernetサーバ機能を有効にしてください。</translation>
+        </message>
+        <message>
+            <source>Port %1 stays silent.</source>
+            <translation>ポート%1は応答しません。</translation>
+        </message>
+        <message>
+            <source>Check that the controller is on, that its Ethernet server function is enabled and that no firewall drops UDP %1.</source>
+            <translation>コントローラの電源が入っていること、Ethernetサーバ機能が有効なこと、ファイアウォールがUDP %1を遮断していないことを確認してください。</translation>
+        </message>
+        <message>
+            <source>The controller runs %1.</source>
+            <translation>コントローラのソフトウェアは%1です。</translation>
+        </message>
+        <message>
+            <source>The controller does not tell its system information: %1</source>
+            <translation>コントローラがシステム情報を知らせません: %1</translation>
+        </message>
+        <message>
+            <source>Pendesk monitors only a controller that says what it is. Ask its maker for the HSES option.</source>
+            <translation>Pendeskが監視するのは、自分の機種を知らせるコントローラだけです。HSESオプションについてメーカにお問い合わせください。</translation>
+        </message>
+        <message>
+            <source>Port %1 stays silent: files are unavailable, monitoring works.</source>
+            <translation>ポート%1は応答しません。ファイルは使えませんが、監視はできます。</translation>
+        </message>
+        <message>
+            <source>Check that no firewall drops UDP %1.</source>
+            <translation>ファイアウォールがUDP %1を遮断していないことを確認してください。</translation>
+        </message>
+        <message>
+            <source>Port %1 answers.</source>
+            <translation>ポート%1が応答しています。</translation>
+        </message>
+    </context>
+    <context>
+        <name>session::FileSession</name>
+        <message>
+            <source>An empty file cannot be sent over HSES.</source>
+            <translation>空のファイルはHSESで送信できません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings</name>
+        <message>
+            <source>%1 must be a whole number from %2 to %3.</source>
+            <translation>%1は%2から%3までの整数にしてください。</translation>
+        </message>
+        <message>
+            <source>The model “%1” is not known.</source>
+            <translation>機種「%1」は不明です。</translation>
+        </message>
+        <message>
+            <source>The text encoding “%1” is not known.</source>
+            <translation>文字コード「%1」は不明です。</translation>
+        </message>
+        <message>
+            <source>The variable numbering must be 0 or 1.</source>
+            <translation>変数番号の方式は0または1にしてください。</translation>
+        </message>
+        <message>
+            <source>Pulses per degree must be lists of numbers, one list for each control group.</source>
+            <translation>1度あたりのパルス数は数値のリストで、制御グループごとに1つのリストにしてください。</translation>
+        </message>
+        <message>
+            <source>The profile needs a name.</source>
+            <translation>プロファイルには名前が必要です。</translation>
+        </message>
+        <message>
+            <source>The profile needs the controller's host name or IPv4 address.</source>
+            <translation>プロファイルには、コントローラのホスト名またはIPv4アドレスが必要です。</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings::CommandLine</name>
+        <message>
+            <source>--%1 must be a whole number from 1 to 65535.</source>
+            <translation>--%1は1から65535までの整数にしてください。</translation>
+        </message>
+        <message>
+            <source>--timeout takes a time such as 300ms or 1s.</source>
+            <translation>--timeoutには300msや1sのような時間を指定してください。</translation>
+        </message>
+        <message>
+            <source>There is no controller stored under the name “%1”.</source>
+            <translation>「%1」という名前で保存されたコントローラはありません。</translation>
+        </message>
+        <message>
+            <source>Connect to the controller with this name or IPv4 address.</source>
+            <translation>この名前またはIPv4アドレスのコントローラに接続します。</translation>
+        </message>
+        <message>
+            <source>Its port for robot control, 10040 unless told otherwise.</source>
+            <translation>ロボット制御用のポート。指定しなければ10040。</translation>
+        </message>
+        <message>
+            <source>Its port for file control, 10041 unless told otherwise.</source>
+            <translation>ファイル制御用のポート。指定しなければ10041。</translation>
+        </message>
+        <message>
+            <source>Connect to the controller that is stored under this name.</source>
+            <translation>この名前で保存されたコントローラに接続します。</translation>
+        </message>
+        <message>
+            <source>How long to wait for one try of a read: 300ms, 1s.</source>
+            <translation>読出し1回あたりの待ち時間: 300ms、1s。</translation>
+        </message>
+        <message>
+            <source>--%1 needs --host or --profile.</source>
+            <translation>--%1には--hostまたは--profileが必要です。</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings::Profile</name>
+        <message>
+            <source>Port</source>
+            <translation>ポート</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>ファイルポート</translation>
+        </message>
+        <message>
+            <source>Read time-out</source>
+            <translation>読出しタイムアウト</translation>
+        </message>
+        <message>
+            <source>File time-out</source>
+            <translation>ファイルタイムアウト</translation>
+        </message>
+        <message>
+            <source>Servo time-out</source>
+            <translation>サーボタイムアウト</translation>
+        </message>
+        <message>
+            <source>Repeats of a read</source>
+            <translation>読出しの再試行回数</translation>
+        </message>
+        <message>
+            <source>Requests outstanding at once</source>
+            <translation>同時に応答を待つ要求数</translation>
+        </message>
+        <message>
+            <source>Requests a second</source>
+            <translation>1秒あたりの要求数</translation>
+        </message>
+    </context>
+    <context>
+        <name>trend</name>
+        <message>
+            <source>Alarm %1 [%2] %3</source>
+            <translation>アラーム %1 [%2] %3</translation>
+        </message>
+        <message>
+            <source>Job %1</source>
+            <translation>ジョブ %1</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>Step mode</source>
+            <translation>ステップモード</translation>
+        </message>
+        <message>
+            <source>One cycle</source>
+            <translation>1サイクル</translation>
+        </message>
+        <message>
+            <source>Continuous</source>
+            <translation>連続</translation>
+        </message>
+        <message>
+            <source>Running</source>
+            <translation>運転中</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>速度制限</translation>
+        </message>
+        <message>
+            <source>TEACH</source>
+            <translation>TEACH</translation>
+        </message>
+        <message>
+            <source>PLAY</source>
+            <translation>PLAY</translation>
+        </message>
+        <message>
+            <source>REMOTE</source>
+            <translation>REMOTE</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>ペンダントによるホールド中</translation>
+        </message>
+        <message>
+            <source>Held externally</source>
+            <translation>外部ホールド中</translation>
+        </message>
+        <message>
+            <source>Held by command</source>
+            <translation>コマンドによるホールド中</translation>
+        </message>
+        <message>
+            <source>Alarm active</source>
+            <translation>アラーム発生中</translation>
+        </message>
+        <message>
+            <source>Error active</source>
+            <translation>エラー発生中</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>サーボオン</translation>
+        </message>
+        <message>
+            <source>Job line</source>
+            <translation>ジョブ行</translation>
+        </message>
+        <message>
+            <source>Job step</source>
+            <translation>ジョブステップ</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>速度オーバーライド</translation>
+        </message>
+        <message>
+            <source>%1, sub task %2</source>
+            <translation>%1、サブタスク%2</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>%1 %2 following error</source>
+            <translation>%1 %2 位置偏差</translation>
+        </message>
+        <message>
+            <source>%1 %2 torque</source>
+            <translation>%1 %2 トルク</translation>
+        </message>
+        <message>
+            <source>%1 %2 encoder temperature</source>
+            <translation>%1 %2 エンコーダ温度</translation>
+        </message>
+        <message>
+            <source>pulses</source>
+            <translation>パルス</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>%</source>
+            <translation>%</translation>
+        </message>
+        <message>
+            <source>°C</source>
+            <translation>°C</translation>
+        </message>
+        <message>
+            <source>h</source>
+            <translation>h</translation>
+        </message>
+        <message>
+            <source>Converter temperature, board %1</source>
+            <translation>コンバータ温度、基板%1</translation>
+        </message>
+        <message>
+            <source>Running time %1</source>
+            <translation>稼働時間 %1</translation>
+        </message>
+        <message>
+            <source>Alarm code %1</source>
+            <translation>アラームコード %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::AccessSwitch</name>
+        <message>
+            <source>Passcode and idle time…</source>
+            <translation>パスコードと無操作時間…</translation>
+        </message>
+        <message>
+            <source>Access level: %1</source>
+            <translation>アクセスレベル: %1</translation>
+        </message>
+        <message>
+            <source>This program was started with --monitor-only: it watches and holds.</source>
+            <translation>このプログラムは--monitor-onlyで起動されています。監視とホールドだけを行います。</translation>
+        </message>
+        <message numerus="yes">
+            <source>What may be done from here. It falls back to Monitor after %n minute(s) without key or mouse.</source>
+            <translation>
+                <numerusform>ここから行える操作の範囲です。%n分間キーもマウスも操作がないと「監視」に戻ります。</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::ArmBadge</name>
+        <message>
+            <source>This controller is armed: press to disarm.</source>
+            <translation>このコントローラは動作許可中です。押すと解除します。</translation>
+        </message>
+        <message>
+            <source>ARMED · %1 s</source>
+            <translation>動作許可中 · %1 秒</translation>
+        </message>
+        <message numerus="yes">
+            <source>Armed for %n more second(s). Press to disarm.</source>
+            <translation>
+                <numerusform>動作許可はあと%n秒です。押すと解除します。</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::ControllerView</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>HLOCK is on at %1: the pendant is locked out, but for its emergency stop.</source>
+            <translation>%1のHLOCKがオンです。ペンダントは非常停止を除いて操作できません。</translation>
+        </message>
+        <message>
+            <source>Release HLOCK</source>
+            <translation>HLOCKを解除</translation>
+        </message>
+        <message numerus="yes">
+            <source>The journal works again. %n record(s) were lost.</source>
+            <translation>
+                <numerusform>操作履歴は復旧しました。%n件の記録が失われました。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>閉じる</translation>
+        </message>
+        <message>
+            <source>The journal was damaged. It was kept as %1, and a new one was begun.</source>
+            <translation>操作履歴が破損していました。%1として残し、新しい操作履歴を始めました。</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::MainWindow</name>
+        <message>
+            <source>Level: %1</source>
+            <translation>レベル: %1</translation>
+        </message>
+        <message>
+            <source>HLOCK is on</source>
+            <translation>HLOCKがオンです</translation>
+        </message>
+        <message>
+            <source>HLOCK is still on at %1: the pendant stays locked out after closing.</source>
+            <translation>%1のHLOCKがまだオンです。終了後もペンダントは操作できないままになります。</translation>
+        </message>
+        <message>
+            <source>Release HLOCK and close</source>
+            <translation>HLOCKを解除して終了</translation>
+        </message>
+        <message>
+            <source>Close and leave it on</source>
+            <translation>オンのまま終了</translation>
+        </message>
+        <message>
+            <source>Pendesk</source>
+            <translation>Pendesk</translation>
+        </message>
+        <message>
+            <source>%1 — Pendesk</source>
+            <translation>%1 — Pendesk</translation>
+        </message>
+        <message>
+            <source>The demo could not be started: %1.</source>
+            <translation>デモを開始できませんでした: %1。</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>Pendeskについて</translation>
+        </message>
+        <message>
+            <source>Pendesk %1
+
+A teach and monitor desk for Yaskawa robot controllers.
+Free software under the GNU General Public License, version 3 or later.
+
+HOLD is a software hold over the network, not a safety function.</source>
+            <translation>Pendesk %1
+
+安川電機のロボットコントローラ用のティーチ・監視デスクです。
+GNU General Public License バージョン3またはそれ以降に基づくフリーソフトウェアです。
+
+HOLDはネットワーク経由のソフトウェアホールドであり、安全機能ではありません。</translation>
+        </message>
+        <message>
+            <source>There is no connection.</source>
+            <translation>接続していません。</translation>
+        </message>
+        <message>
+            <source>The connection is open.</source>
+            <translation>接続しています。</translation>
+        </message>
+        <message>
+            <source>No controller is chosen.</source>
+            <translation>コントローラを選んでいません。</translation>
+        </message>
+        <message>
+            <source>No controller is chosen: connect first.</source>
+            <translation>コントローラを選んでいません。先に接続してください。</translation>
+        </message>
+        <message>
+            <source>%1 requests/s</source>
+            <translation>%1 要求/秒</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::NavigationRail</name>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>No controller</source>
+            <translation>コントローラなし</translation>
+        </message>
+        <message>
+            <source>CONTROLLERS</source>
+            <translation>コントローラ</translation>
+        </message>
+        <message>
+            <source>PAGES</source>
+            <translation>ページ</translation>
+        </message>
+        <message>
+            <source>CONNECTION</source>
+            <translation>接続</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>メニュー</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::RobotStrip</name>
+        <message>
+            <source>SIMULATION</source>
+            <translation>シミュレーション</translation>
+        </message>
+        <message>
+            <source>HOLD sent…</source>
+            <translation>HOLDを送信しました…</translation>
+        </message>
+        <message>
+            <source>HOLD confirmed</source>
+            <translation>HOLD確認済み</translation>
+        </message>
+        <message>
+            <source>HOLD refused</source>
+            <translation>HOLD拒否</translation>
+        </message>
+        <message>
+            <source>not confirmed</source>
+            <translation>未確認</translation>
+        </message>
+        <message>
+            <source>software hold · Pause key</source>
+            <translation>ソフトウェアホールド · Pauseキー</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>リンク</translation>
+        </message>
+        <message>
+            <source>No controller</source>
+            <translation>コントローラなし</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>実行中</translation>
+        </message>
+        <message>
+            <source>Link · %1 ago</source>
+            <translation>リンク · %1前</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>LOST</source>
+            <translation>途絶</translation>
+        </message>
+        <message>
+            <source>no answer</source>
+            <translation>応答なし</translation>
+        </message>
+        <message>
+            <source>checking…</source>
+            <translation>確認中…</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>未接続</translation>
+        </message>
+    </context>
+    <context>
+        <name>values</name>
+        <message>
+            <source>none</source>
+            <translation>なし</translation>
+        </message>
+        <message>
+            <source>number</source>
+            <translation>番号</translation>
+        </message>
+        <message>
+            <source>8 bits</source>
+            <translation>8ビット</translation>
+        </message>
+        <message>
+            <source>axes</source>
+            <translation>軸</translation>
+        </message>
+        <message>
+            <source>conveyor files</source>
+            <translation>コンベヤファイル</translation>
+        </message>
+        <message>
+            <source>robots and stations</source>
+            <translation>ロボットとステーション</translation>
+        </message>
+        <message>
+            <source>signed number</source>
+            <translation>符号付きの数</translation>
+        </message>
+        <message>
+            <source>16 bits</source>
+            <translation>16ビット</translation>
+        </message>
+        <message>
+            <source>robots</source>
+            <translation>ロボット</translation>
+        </message>
+        <message>
+            <source>robots, stations and bases</source>
+            <translation>ロボット、ステーション、ベース</translation>
+        </message>
+        <message>
+            <source>control group, low and high axes</source>
+            <translation>制御グループ、下位軸と上位軸</translation>
+        </message>
+        <message>
+            <source>control group, minimum and maximum axes</source>
+            <translation>制御グループ、軸の最小と最大</translation>
+        </message>
+        <message>
+            <source>control group, minimum and maximum X Y Z</source>
+            <translation>制御グループ、X Y Zの最小と最大</translation>
+        </message>
+        <message>
+            <source>axes of two control groups</source>
+            <translation>2つの制御グループの軸</translation>
+        </message>
+        <message>
+            <source>two sets of axes of a control group</source>
+            <translation>1つの制御グループの2組の軸</translation>
+        </message>
+        <message>
+            <source>axes of a control group and a number</source>
+            <translation>制御グループの軸と番号</translation>
+        </message>
+        <message>
+            <source>control group and a number</source>
+            <translation>制御グループと番号</translation>
+        </message>
+        <message>
+            <source>unknown type %1</source>
+            <translation>不明なタイプ %1</translation>
+        </message>
+        <message>
+            <source>front</source>
+            <translation>正面</translation>
+        </message>
+        <message>
+            <source>back</source>
+            <translation>背面</translation>
+        </message>
+        <message>
+            <source>upper arm</source>
+            <translation>上腕</translation>
+        </message>
+        <message>
+            <source>lower arm</source>
+            <translation>下腕</translation>
+        </message>
+        <message>
+            <source>flip</source>
+            <translation>フリップ</translation>
+        </message>
+        <message>
+            <source>no flip</source>
+            <translation>ノーフリップ</translation>
+        </message>
+        <message>
+            <source>R &lt; 180</source>
+            <translation>R &lt; 180</translation>
+        </message>
+        <message>
+            <source>R &gt;= 180</source>
+            <translation>R &gt;= 180</translation>
+        </message>
+        <message>
+            <source>T &lt; 180</source>
+            <translation>T &lt; 180</translation>
+        </message>
+        <message>
+            <source>T &gt;= 180</source>
+            <translation>T &gt;= 180</translation>
+        </message>
+        <message>
+            <source>S &lt; 180</source>
+            <translation>S &lt; 180</translation>
+        </message>
+        <message>
+            <source>S &gt;= 180</source>
+            <translation>S &gt;= 180</translation>
+        </message>
+        <message>
+            <source>redundant front</source>
+            <translation>冗長正面</translation>
+        </message>
+        <message>
+            <source>redundant back</source>
+            <translation>冗長背面</translation>
+        </message>
+        <message>
+            <source>previous step's form</source>
+            <translation>前ステップの形態</translation>
+        </message>
+        <message>
+            <source>this form</source>
+            <translation>この形態</translation>
+        </message>
+        <message>
+            <source>L &lt; 180</source>
+            <translation>L &lt; 180</translation>
+        </message>
+        <message>
+            <source>L &gt;= 180</source>
+            <translation>L &gt;= 180</translation>
+        </message>
+        <message>
+            <source>U &lt; 180</source>
+            <translation>U &lt; 180</translation>
+        </message>
+        <message>
+            <source>U &gt;= 180</source>
+            <translation>U &gt;= 180</translation>
+        </message>
+        <message>
+            <source>B &lt; 180</source>
+            <translation>B &lt; 180</translation>
+        </message>
+        <message>
+            <source>B &gt;= 180</source>
+            <translation>B &gt;= 180</translation>
+        </message>
+        <message>
+            <source>E &lt; 180</source>
+            <translation>E &lt; 180</translation>
+        </message>
+        <message>
+            <source>E &gt;= 180</source>
+            <translation>E &gt;= 180</translation>
+        </message>
+        <message>
+            <source>W &lt; 180</source>
+            <translation>W &lt; 180</translation>
+        </message>
+        <message>
+            <source>W &gt;= 180</source>
+            <translation>W &gt;= 180</translation>
+        </message>
+        <message>
+            <source>pulse</source>
+            <translation>パルス</translation>
+        </message>
+        <message>
+            <source>base frame</source>
+            <translation>ベース座標</translation>
+        </message>
+        <message>
+            <source>robot frame</source>
+            <translation>ロボット座標</translation>
+        </message>
+        <message>
+            <source>user frame</source>
+            <translation>ユーザ座標</translation>
+        </message>
+        <message>
+            <source>tool frame</source>
+            <translation>ツール座標</translation>
+        </message>
+        <message>
+            <source>group %1</source>
+            <translation>グループ%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>variables::Sentences</name>
+        <message>
+            <source>Line %1: a cell begins with a quotation mark and does not end with one.</source>
+            <translation>%1行目: セルが引用符で始まっていますが、引用符で終わっていません。</translation>
+        </message>
+        <message>
+            <source>Line %1: there is text behind the quotation mark that ends a cell.</source>
+            <translation>%1行目: セルを閉じる引用符の後に文字があります。</translation>
+        </message>
+        <message>
+            <source>The file is not UTF-8: save it as “CSV UTF-8” and try again.</source>
+            <translation>ファイルがUTF-8ではありません。「CSV UTF-8」で保存してからやり直してください。</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>「%1」は数値ではありません。</translation>
+        </message>
+        <message>
+            <source>%1 is out of range: it must be from %2 to %3.</source>
+            <translation>%1は範囲外です。%2から%3までにしてください。</translation>
+        </message>
+        <message>
+            <source>“%1” is not a whole number: write it without decimals and separators.</source>
+            <translation>「%1」は整数ではありません。小数点や区切りを付けずに書いてください。</translation>
+        </message>
+        <message>
+            <source>%1 does not go into a real: that is 0, or from ±1.18e-38 to ±3.40e+38.</source>
+            <translation>%1は実数型に入りません。使えるのは0、または±1.18e-38から±3.40e+38までです。</translation>
+        </message>
+        <message>
+            <source>not a number</source>
+            <translation>数値ではありません</translation>
+        </message>
+        <message>
+            <source>“%1” is not a whole number.</source>
+            <translation>「%1」は整数ではありません。</translation>
+        </message>
+        <message numerus="yes">
+            <source>“%1” is too fine: %n decimal(s) are kept.</source>
+            <translation>
+                <numerusform>「%1」は細かすぎます。小数は%n桁まで保持します。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>“%1” is not a variable. Write its letter and its number, such as B007.</source>
+            <translation>「%1」は変数ではありません。B007のように文字と番号で書いてください。</translation>
+        </message>
+        <message>
+            <source>There is no %1: this controller has %2 to %3.</source>
+            <translation>%1はありません。このコントローラには%2から%3まであります。</translation>
+        </message>
+        <message>
+            <source>“%1” is not a range: it must go from a lower to a higher number of one kind.</source>
+            <translation>「%1」は範囲ではありません。同じ種類の小さい番号から大きい番号までにしてください。</translation>
+        </message>
+        <message>
+            <source>“%1” is not a type that %2 has.</source>
+            <translation>「%1」は%2のタイプにありません。</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>column: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1 is missing, and no value of this type was read.</source>
+            <translation>%1がなく、このタイプの値も読み出していません。</translation>
+        </message>
+        <message>
+            <source>The type is missing, and none was read.</source>
+            <translation>タイプがなく、読み出してもいません。</translation>
+        </message>
+        <message>
+            <source>The variable is missing.</source>
+            <translation>変数がありません。</translation>
+        </message>
+        <message>
+            <source>%1 can only be read.</source>
+            <translation>%1は読出し専用です。</translation>
+        </message>
+        <message>
+            <source>%1 stands in line %2 already.</source>
+            <translation>%1はすでに%2行目にあります。</translation>
+        </message>
+        <message>
+            <source>The value is missing.</source>
+            <translation>値がありません。</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>The column “%1” stands there twice.</source>
+            <translation>列「%1」が2つあります。</translation>
+        </message>
+        <message>
+            <source>The header is missing: the first line must name the columns “variable” and “value”.</source>
+            <translation>ヘッダがありません。1行目に列名「variable」と「value」が必要です。</translation>
+        </message>
+        <message>
+            <source>There is neither a column “value” nor “axis 1”.</source>
+            <translation>列「value」も「axis 1」もありません。</translation>
+        </message>
+        <message>
+            <source>The line has more cells than the header.</source>
+            <translation>この行のセルがヘッダより多いです。</translation>
+        </message>
+        <message>
+            <source>A block without a header has one or two columns.</source>
+            <translation>ヘッダのないブロックは1列または2列です。</translation>
+        </message>
+        <message>
+            <source>The text cannot be sent: %1.</source>
+            <translation>この文字列は送信できません: %1。</translation>
+        </message>
+        <message>
+            <source>The text must not hold the character NUL, which ends it.</source>
+            <translation>文字列に、終端を示すNUL文字を含めることはできません。</translation>
+        </message>
+        <message>
+            <source>The text takes %1 bytes; there is room for %2.</source>
+            <translation>文字列は%1バイトですが、入るのは%2バイトまでです。</translation>
+        </message>
+        <message>
+            <source>A position is not written as one text.</source>
+            <translation>位置は1つの文字列では書き込めません。</translation>
+        </message>
+        <message>
+            <source>a real number</source>
+            <translation>実数</translation>
+        </message>
+        <message numerus="yes">
+            <source>up to %n byte(s)</source>
+            <translation>
+                <numerusform>最大%nバイト</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>pulse</source>
+            <translation>パルス</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ArmControl</name>
+        <message>
+            <source>Hold for 1 s to arm</source>
+            <translation>1秒間長押しで動作許可</translation>
+        </message>
+        <message>
+            <source>Why not?</source>
+            <translation>できない理由は?</translation>
+        </message>
+        <message>
+            <source>Disarm</source>
+            <translation>動作許可を解除</translation>
+        </message>
+        <message>
+            <source>Nobody is inside the fence</source>
+            <translation>安全柵の中に人はいません</translation>
+        </message>
+        <message>
+            <source>I see the robot, or somebody who does</source>
+            <translation>ロボットが自分または見張りの人から見えます</translation>
+        </message>
+        <message>
+            <source>An emergency stop is within reach there</source>
+            <translation>現場で非常停止に手が届きます</translation>
+        </message>
+        <message>
+            <source>Armed: start, servo on and moves are possible. It drops after a minute without key or mouse.</source>
+            <translation>動作許可中: 起動、サーボオン、移動ができます。1分間キーもマウスも操作がないと解除されます。</translation>
+        </message>
+        <message>
+            <source>Disarmed at %1: %2.</source>
+            <translation>動作許可を解除 (%1): %2。</translation>
+        </message>
+        <message>
+            <source>Tick all three first.</source>
+            <translation>先に3つすべてにチェックを付けてください。</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::CellEditor</name>
+        <message>
+            <source>live: %1</source>
+            <translation>ライブ: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ConditionList</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ControllerTile</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::DiffView</name>
+        <message>
+            <source>Lines of both versions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Newer</source>
+            <translation type="unfinished" />
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::HoldButton</name>
+        <message>
+            <source>HOLD</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (ソフトウェア)</translation>
+        </message>
+        <message>
+            <source>software hold · Pause key</source>
+            <translation>ソフトウェアホールド · Pauseキー</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::JobView</name>
+        <message>
+            <source>Job text</source>
+            <translation>ジョブの内容</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::LogicStrip</name>
+        <message>
+            <source>The watched signals over the last minute</source>
+            <translation>直近1分間のウォッチ中の信号</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>現在</translation>
+        </message>
+        <message>
+            <source>−%1 s</source>
+            <translation>−%1 秒</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::OrderButton</name>
+        <message>
+            <source>%1: pending…</source>
+            <translation>%1: 処理中…</translation>
+        </message>
+        <message>
+            <source>Why not?</source>
+            <translation>できない理由は?</translation>
+        </message>
+        <message>
+            <source>Conditions</source>
+            <translation>条件</translation>
+        </message>
+        <message>
+            <source>Conditions of: %1</source>
+            <translation>%1の条件</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Plot</name>
+        <message>
+            <source>seconds</source>
+            <translation>秒</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Plot</source>
+            <translation>プロット</translation>
+        </message>
+        <message>
+            <source>Nothing is plotted.</source>
+            <translation>何もプロットしていません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Plottables</name>
+        <message>
+            <source>Add to trend: %1</source>
+            <translation>トレンドに追加: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Rows</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Sparkline</name>
+        <message>
+            <source>Round trips of the last 60 seconds: none yet.</source>
+            <translation>直近60秒の往復時間: まだありません。</translation>
+        </message>
+        <message>
+            <source>Round trips of the last 60 seconds: longest %1 ms, lost tries in %2 s.</source>
+            <translation>直近60秒の往復時間: 最長%1 ms、%2秒に消失あり。</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ToolPathView</name>
+        <message>
+            <source>Top</source>
+            <translation>上面</translation>
+        </message>
+        <message>
+            <source>Front</source>
+            <translation>正面</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>側面</translation>
+        </message>
+        <message>
+            <source>Tool path, %1 view</source>
+            <translation>ツール軌跡、%1図</translation>
+        </message>
+        <message>
+            <source>No position in the base frame was read yet.</source>
+            <translation>ベース座標の位置をまだ読み出していません。</translation>
+        </message>
+        <message>
+            <source>%1 %2 mm, %3 %4 mm. %5</source>
+            <translation>%1 %2 mm、%3 %4 mm。%5</translation>
+        </message>
+        <message>
+            <source>%1  ·  %2 →  %3 ↑</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 mm</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ValueGrid</name>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1、%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ValueLabel</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1。%2</translation>
+        </message>
+    </context>
 </TS>
