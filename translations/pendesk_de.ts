@@ -569,7 +569,7 @@
         <name>dialogs::CompareDialog</name>
         <message>
             <source>Both are the same, byte for byte.</source>
-            <translation type="unfinished" />
+            <translation>Beide sind gleich, Byte für Byte.</translation>
         </message>
     </context>
     <context>
@@ -764,19 +764,19 @@
         <name>dialogs::JobEditor</name>
         <message>
             <source>Edit “%1”</source>
-            <translation type="unfinished" />
+            <translation>„%1“ bearbeiten</translation>
         </message>
         <message>
             <source>Text of the file</source>
-            <translation type="unfinished" />
+            <translation>Text der Datei</translation>
         </message>
         <message>
             <source>Compare and send…</source>
-            <translation type="unfinished" />
+            <translation>Vergleichen und senden…</translation>
         </message>
         <message>
             <source>The controller's encoding lacks a character of this text.</source>
-            <translation type="unfinished" />
+            <translation>Der Kodierung der Steuerung fehlt ein Zeichen dieses Textes.</translation>
         </message>
     </context>
     <context>
@@ -873,34 +873,34 @@
         <name>dialogs::OverwriteDialog</name>
         <message numerus="yes">
             <source>For the remaining %n file(s) too</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>Auch für die verbleibende %n Datei</numerusform>
+                <numerusform>Auch für die verbleibenden %n Dateien</numerusform>
             </translation>
         </message>
         <message>
             <source>“%1” exists</source>
-            <translation type="unfinished" />
+            <translation>„%1“ ist vorhanden</translation>
         </message>
         <message>
             <source>There is a file “%1” %2 already.</source>
-            <translation type="unfinished" />
+            <translation>Es gibt %2 schon eine Datei „%1“.</translation>
         </message>
         <message>
             <source>&amp;Compare…</source>
-            <translation type="unfinished" />
+            <translation>&amp;Vergleichen…</translation>
         </message>
         <message>
             <source>&amp;Replace</source>
-            <translation type="unfinished" />
+            <translation>&amp;Ersetzen</translation>
         </message>
         <message>
             <source>&amp;Keep both</source>
-            <translation type="unfinished" />
+            <translation>&amp;Beide behalten</translation>
         </message>
         <message>
             <source>&amp;Skip</source>
-            <translation type="unfinished" />
+            <translation>Ü&amp;berspringen</translation>
         </message>
     </context>
     <context>
@@ -1073,7 +1073,7 @@
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
-            <translation type="unfinished" />
+            <translation>Diese Datei zurückstellen</translation>
         </message>
         <message>
             <source>Close</source>
@@ -1081,56 +1081,56 @@
         </message>
         <message>
             <source>Restore %1 from %2</source>
-            <translation type="unfinished" />
+            <translation>%1 aus %2 zurückspielen</translation>
         </message>
         <message>
             <source>What would be done</source>
-            <translation type="unfinished" />
+            <translation>Was geschehen würde</translation>
         </message>
         <message>
             <source>File</source>
-            <translation type="unfinished" />
+            <translation>Datei</translation>
         </message>
         <message>
             <source>What is done</source>
-            <translation type="unfinished" />
+            <translation>Was geschieht</translation>
         </message>
         <message>
             <source>Reason</source>
-            <translation type="unfinished" />
+            <translation>Grund</translation>
         </message>
         <message>
             <source>A fresh backup of %1 is made first. Then the files below are sent one by one and read back. It stops at the first error.</source>
-            <translation type="unfinished" />
+            <translation>Zuerst wird eine frische Sicherung von %1 angelegt. Dann werden die Dateien unten einzeln gesendet und zurückgelesen. Beim ersten Fehler wird angehalten.</translation>
         </message>
         <message>
             <source>+ new: it is sent</source>
-            <translation type="unfinished" />
+            <translation>+ neu: wird gesendet</translation>
         </message>
         <message>
             <source>≠ changed: it is replaced</source>
-            <translation type="unfinished" />
+            <translation>≠ geändert: wird ersetzt</translation>
         </message>
         <message>
             <source>= same: left alone</source>
-            <translation type="unfinished" />
+            <translation>= gleich: bleibt unberührt</translation>
         </message>
         <message>
             <source>▲ not allowed: left alone</source>
-            <translation type="unfinished" />
+            <translation>▲ nicht erlaubt: bleibt unberührt</translation>
         </message>
         <message numerus="yes">
             <source>Back up, then restore %n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>Sichern, dann %n Datei zurückspielen</numerusform>
+                <numerusform>Sichern, dann %n Dateien zurückspielen</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) are the same and not listed.</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei ist gleich und nicht aufgeführt.</numerusform>
+                <numerusform>%n Dateien sind gleich und nicht aufgeführt.</numerusform>
             </translation>
         </message>
         <message>
@@ -1139,45 +1139,45 @@
         </message>
         <message>
             <source>Sending file %1 of %2…</source>
-            <translation type="unfinished" />
+            <translation>Datei %1 von %2 wird gesendet…</translation>
         </message>
         <message>
             <source>Fresh backup: file %1 of %2…</source>
-            <translation type="unfinished" />
+            <translation>Frische Sicherung: Datei %1 von %2…</translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) were restored and read back.</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei wurde zurückgespielt und zurückgelesen.</numerusform>
+                <numerusform>%n Dateien wurden zurückgespielt und zurückgelesen.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) were restored before that.</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei wurde davor zurückgespielt.</numerusform>
+                <numerusform>%n Dateien wurden davor zurückgespielt.</numerusform>
             </translation>
         </message>
         <message>
             <source>It was cancelled.</source>
-            <translation type="unfinished" />
+            <translation>Es wurde abgebrochen.</translation>
         </message>
         <message>
             <source>Stopped at %1.</source>
-            <translation type="unfinished" />
+            <translation>Angehalten bei %1.</translation>
         </message>
         <message>
             <source>Nothing was sent.</source>
-            <translation type="unfinished" />
+            <translation>Es wurde nichts gesendet.</translation>
         </message>
         <message>
             <source>The file is as it was before.</source>
-            <translation type="unfinished" />
+            <translation>Die Datei ist wie zuvor.</translation>
         </message>
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
-            <translation type="unfinished" />
+            <translation>▲ Die Datei konnte nicht zurückgestellt werden. Sehen Sie an der Steuerung nach.</translation>
         </message>
     </context>
     <context>
@@ -1546,7 +1546,7 @@
         </message>
         <message>
             <source>First seen by this computer: %1</source>
-            <translation type="unfinished" />
+            <translation>Von diesem Rechner zuerst gesehen: %1</translation>
         </message>
     </context>
     <context>
@@ -1652,11 +1652,11 @@
         <name>models::QueueModel</name>
         <message>
             <source>waiting</source>
-            <translation type="unfinished" />
+            <translation>wartet</translation>
         </message>
         <message>
             <source>under way</source>
-            <translation type="unfinished" />
+            <translation>läuft</translation>
         </message>
         <message>
             <source>cancelled</source>
@@ -1664,58 +1664,58 @@
         </message>
         <message>
             <source>▲ %1</source>
-            <translation type="unfinished" />
+            <translation>▲ %1</translation>
         </message>
         <message>
             <source>done</source>
-            <translation type="unfinished" />
+            <translation>fertig</translation>
         </message>
         <message>
             <source>done, read back identical</source>
-            <translation type="unfinished" />
+            <translation>fertig, identisch zurückgelesen</translation>
         </message>
         <message numerus="yes">
             <source>done, the controller reformatted %n line(s)</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>fertig, die Steuerung hat %n Zeile umformatiert</numerusform>
+                <numerusform>fertig, die Steuerung hat %n Zeilen umformatiert</numerusform>
             </translation>
         </message>
         <message>
             <source>▲ read back different</source>
-            <translation type="unfinished" />
+            <translation>▲ abweichend zurückgelesen</translation>
         </message>
         <message>
             <source>▲ sent, but it could not be read back</source>
-            <translation type="unfinished" />
+            <translation>▲ gesendet, konnte aber nicht zurückgelesen werden</translation>
         </message>
         <message>
             <source>← to the computer</source>
-            <translation type="unfinished" />
+            <translation>← zum Rechner</translation>
         </message>
         <message>
             <source>→ to the controller</source>
-            <translation type="unfinished" />
+            <translation>→ zur Steuerung</translation>
         </message>
         <message>
             <source>✕ delete</source>
-            <translation type="unfinished" />
+            <translation>✕ löschen</translation>
         </message>
         <message>
             <source>%1 of %2</source>
-            <translation type="unfinished" />
+            <translation>%1 von %2</translation>
         </message>
         <message>
             <source>%1/s</source>
-            <translation type="unfinished" />
+            <translation>%1/s</translation>
         </message>
         <message>
             <source>File</source>
-            <translation type="unfinished" />
+            <translation>Datei</translation>
         </message>
         <message>
             <source>Direction</source>
-            <translation type="unfinished" />
+            <translation>Richtung</translation>
         </message>
         <message>
             <source>State</source>
@@ -1723,15 +1723,15 @@
         </message>
         <message>
             <source>Bytes</source>
-            <translation type="unfinished" />
+            <translation>Bytes</translation>
         </message>
         <message>
             <source>Rate</source>
-            <translation type="unfinished" />
+            <translation>Rate</translation>
         </message>
         <message>
             <source>Remaining</source>
-            <translation type="unfinished" />
+            <translation>Verbleibend</translation>
         </message>
     </context>
     <context>
@@ -2248,11 +2248,11 @@
         <name>pages::BackupPage</name>
         <message>
             <source>Taken</source>
-            <translation type="unfinished" />
+            <translation>Angelegt</translation>
         </message>
         <message>
             <source>Files</source>
-            <translation type="unfinished" />
+            <translation>Dateien</translation>
         </message>
         <message>
             <source>Changed</source>
@@ -2264,35 +2264,35 @@
         </message>
         <message>
             <source>Backups</source>
-            <translation type="unfinished" />
+            <translation>Sicherungen</translation>
         </message>
         <message>
             <source> newest</source>
-            <translation type="unfinished" />
+            <translation> neueste</translation>
         </message>
         <message>
             <source>Keep any number</source>
-            <translation type="unfinished" />
+            <translation>Beliebig viele behalten</translation>
         </message>
         <message>
             <source> days</source>
-            <translation type="unfinished" />
+            <translation> Tage</translation>
         </message>
         <message>
             <source>Keep any age</source>
-            <translation type="unfinished" />
+            <translation>Beliebig alte behalten</translation>
         </message>
         <message>
             <source>Back up now</source>
-            <translation type="unfinished" />
+            <translation>Jetzt sichern</translation>
         </message>
         <message>
             <source>Verify</source>
-            <translation type="unfinished" />
+            <translation>Prüfen</translation>
         </message>
         <message>
             <source>Pin</source>
-            <translation type="unfinished" />
+            <translation>Anheften</translation>
         </message>
         <message>
             <source>Compare</source>
@@ -2300,171 +2300,171 @@
         </message>
         <message>
             <source>File</source>
-            <translation type="unfinished" />
+            <translation>Datei</translation>
         </message>
         <message>
             <source>Change</source>
-            <translation type="unfinished" />
+            <translation>Änderung</translation>
         </message>
         <message>
             <source>Files that differ</source>
-            <translation type="unfinished" />
+            <translation>Abweichende Dateien</translation>
         </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>Gut: Jedes Byte von %n Datei ist so, wie es geschrieben wurde.</numerusform>
+                <numerusform>Gut: Jedes Byte von %n Dateien ist so, wie es geschrieben wurde.</numerusform>
             </translation>
         </message>
         <message>
             <source>▲ Not good: %1</source>
-            <translation type="unfinished" />
+            <translation>▲ Nicht gut: %1</translation>
         </message>
         <message>
             <source>After a backup keep</source>
-            <translation type="unfinished" />
+            <translation>Nach einer Sicherung behalten</translation>
         </message>
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
-            <translation type="unfinished" />
+            <translation>Die letzte gute Sicherung und angeheftete werden nie gelöscht.</translation>
         </message>
         <message>
             <source>Comparison</source>
-            <translation type="unfinished" />
+            <translation>Vergleich</translation>
         </message>
         <message>
             <source>Compare with</source>
-            <translation type="unfinished" />
+            <translation>Vergleichen mit</translation>
         </message>
         <message>
             <source>with the backup before</source>
-            <translation type="unfinished" />
+            <translation>mit der Sicherung davor</translation>
         </message>
         <message>
             <source>with the newest backup</source>
-            <translation type="unfinished" />
+            <translation>mit der neuesten Sicherung</translation>
         </message>
         <message>
             <source>with the controller now</source>
-            <translation type="unfinished" />
+            <translation>mit der Steuerung jetzt</translation>
         </message>
         <message>
             <source>Restore…</source>
-            <translation type="unfinished" />
+            <translation>Zurückspielen…</translation>
         </message>
         <message>
             <source>Not counted as a difference:</source>
-            <translation type="unfinished" />
+            <translation>Zählt nicht als Unterschied:</translation>
         </message>
         <message>
             <source>Choose a backup and compare it.</source>
-            <translation type="unfinished" />
+            <translation>Wählen Sie eine Sicherung, und vergleichen Sie sie.</translation>
         </message>
         <message>
             <source>In %1</source>
-            <translation type="unfinished" />
+            <translation>In %1</translation>
         </message>
         <message>
             <source>▲ no backup any more</source>
-            <translation type="unfinished" />
+            <translation>▲ keine Sicherung mehr</translation>
         </message>
         <message numerus="yes">
             <source>▲ %n file(s) missing</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>▲ %n Datei fehlt</numerusform>
+                <numerusform>▲ %n Dateien fehlen</numerusform>
             </translation>
         </message>
         <message>
             <source>complete</source>
-            <translation type="unfinished" />
+            <translation>vollständig</translation>
         </message>
         <message>
             <source>%1, pinned</source>
-            <translation type="unfinished" />
+            <translation>%1, angeheftet</translation>
         </message>
         <message>
             <source>Unpin</source>
-            <translation type="unfinished" />
+            <translation>Lösen</translation>
         </message>
         <message>
             <source>Choose a backup first.</source>
-            <translation type="unfinished" />
+            <translation>Wählen Sie zuerst eine Sicherung.</translation>
         </message>
         <message>
             <source>Files are being read.</source>
-            <translation type="unfinished" />
+            <translation>Dateien werden gerade gelesen.</translation>
         </message>
         <message>
             <source>Reading file %1 of %2…</source>
-            <translation type="unfinished" />
+            <translation>Datei %1 von %2 wird gelesen…</translation>
         </message>
         <message>
             <source>Reading the lists…</source>
-            <translation type="unfinished" />
+            <translation>Die Listen werden gelesen…</translation>
         </message>
         <message>
             <source>▲ There is no new backup: %1</source>
-            <translation type="unfinished" />
+            <translation>▲ Es gibt keine neue Sicherung: %1</translation>
         </message>
         <message>
             <source>▲ %1 of %2 files were backed up.</source>
-            <translation type="unfinished" />
+            <translation>▲ %1 von %2 Dateien wurden gesichert.</translation>
         </message>
         <message numerus="yes">
             <source>All %n file(s) were backed up.</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei wurde gesichert, das sind alle.</numerusform>
+                <numerusform>Alle %n Dateien wurden gesichert.</numerusform>
             </translation>
         </message>
         <message>
             <source>Reading every byte…</source>
-            <translation type="unfinished" />
+            <translation>Jedes Byte wird gelesen…</translation>
         </message>
         <message>
             <source>There is no other backup to compare with.</source>
-            <translation type="unfinished" />
+            <translation>Es gibt keine andere Sicherung zum Vergleichen.</translation>
         </message>
         <message>
             <source>The controller's files were read.</source>
-            <translation type="unfinished" />
+            <translation>Die Dateien der Steuerung wurden gelesen.</translation>
         </message>
         <message>
             <source>≠ changed</source>
-            <translation type="unfinished" />
+            <translation>≠ geändert</translation>
         </message>
         <message>
             <source>+ new</source>
-            <translation type="unfinished" />
+            <translation>+ neu</translation>
         </message>
         <message>
             <source>− gone</source>
-            <translation type="unfinished" />
+            <translation>− weg</translation>
         </message>
         <message>
             <source>▲ not read, nobody knows</source>
-            <translation type="unfinished" />
+            <translation>▲ nicht gelesen, nicht bekannt</translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) differ</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei weicht ab</numerusform>
+                <numerusform>%n Dateien weichen ab</numerusform>
             </translation>
         </message>
         <message>
             <source>Choose a file above.</source>
-            <translation type="unfinished" />
+            <translation>Wählen Sie oben eine Datei.</translation>
         </message>
         <message>
             <source>Nothing differs.</source>
-            <translation type="unfinished" />
+            <translation>Nichts weicht ab.</translation>
         </message>
         <message>
             <source>This file is not in the backup as it was written.</source>
-            <translation type="unfinished" />
+            <translation>Diese Datei ist in der Sicherung nicht so, wie sie geschrieben wurde.</translation>
         </message>
     </context>
     <context>
@@ -2541,9 +2541,9 @@
         <name>pages::FilePane</name>
         <message numerus="yes">
             <source>%n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei</numerusform>
+                <numerusform>%n Dateien</numerusform>
             </translation>
         </message>
     </context>
@@ -2551,7 +2551,7 @@
         <name>pages::FilesPage</name>
         <message>
             <source>This computer</source>
-            <translation type="unfinished" />
+            <translation>Dieser Rechner</translation>
         </message>
         <message>
             <source>Controller</source>
@@ -2563,35 +2563,35 @@
         </message>
         <message>
             <source>← Fetch</source>
-            <translation type="unfinished" />
+            <translation>← Holen</translation>
         </message>
         <message>
             <source>Edit…</source>
-            <translation type="unfinished" />
+            <translation>Bearbeiten…</translation>
         </message>
         <message>
             <source>Folder…</source>
-            <translation type="unfinished" />
+            <translation>Ordner…</translation>
         </message>
         <message>
             <source>Folder of the files</source>
-            <translation type="unfinished" />
+            <translation>Ordner der Dateien</translation>
         </message>
         <message>
             <source>Type of the files</source>
-            <translation type="unfinished" />
+            <translation>Typ der Dateien</translation>
         </message>
         <message>
             <source>Send →</source>
-            <translation type="unfinished" />
+            <translation>Senden →</translation>
         </message>
         <message>
             <source>Delete…</source>
-            <translation type="unfinished" />
+            <translation>Löschen…</translation>
         </message>
         <message>
             <source>Transfers</source>
-            <translation type="unfinished" />
+            <translation>Übertragungen</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -2599,15 +2599,15 @@
         </message>
         <message>
             <source>Retry failed</source>
-            <translation type="unfinished" />
+            <translation>Fehlgeschlagene wiederholen</translation>
         </message>
         <message>
             <source>Clear finished</source>
-            <translation type="unfinished" />
+            <translation>Fertige entfernen</translation>
         </message>
         <message>
             <source>There are no controller files in this folder.</source>
-            <translation type="unfinished" />
+            <translation>In diesem Ordner sind keine Dateien für Steuerungen.</translation>
         </message>
         <message>
             <source>Reading the list…</source>
@@ -2615,63 +2615,65 @@
         </message>
         <message>
             <source>The controller lists no files of this type.</source>
-            <translation type="unfinished" />
+            <translation>Die Steuerung führt keine Dateien dieses Typs auf.</translation>
         </message>
         <message>
             <source>Choose files on the left first.</source>
-            <translation type="unfinished" />
+            <translation>Wählen Sie zuerst links Dateien.</translation>
         </message>
         <message>
             <source>Choose files on the right first.</source>
-            <translation type="unfinished" />
+            <translation>Wählen Sie zuerst rechts Dateien.</translation>
         </message>
         <message>
             <source>Before sending</source>
-            <translation type="unfinished" />
+            <translation>Vor dem Senden</translation>
         </message>
         <message numerus="yes">
             <source>Send %n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei senden</numerusform>
+                <numerusform>%n Dateien senden</numerusform>
             </translation>
         </message>
         <message>
             <source>on this computer</source>
-            <translation type="unfinished" />
+            <translation>auf diesem Rechner</translation>
         </message>
         <message>
             <source>on %1</source>
-            <translation type="unfinished" />
+            <translation>auf %1</translation>
         </message>
         <message>
             <source>What would change in “%1”</source>
-            <translation type="unfinished" />
+            <translation>Was sich in „%1“ ändern würde</translation>
         </message>
         <message>
             <source>Delete on %1</source>
-            <translation type="unfinished" />
+            <translation>Auf %1 löschen</translation>
         </message>
         <message>
             <source>These files are deleted on %1:
 %2
 Before that each is copied to %3.</source>
-            <translation type="unfinished" />
+            <translation>Diese Dateien werden auf %1 gelöscht:
+%2
+Vorher wird jede nach %3 kopiert.</translation>
         </message>
         <message numerus="yes">
             <source>Delete %n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n Datei löschen</numerusform>
+                <numerusform>%n Dateien löschen</numerusform>
             </translation>
         </message>
         <message>
             <source>What changes in “%1” on %2</source>
-            <translation type="unfinished" />
+            <translation>Was sich in „%1“ auf %2 ändert</translation>
         </message>
         <message>
             <source>Send</source>
-            <translation type="unfinished" />
+            <translation>Senden</translation>
         </message>
     </context>
     <context>
@@ -3055,7 +3057,7 @@ Before that each is copied to %3.</source>
         </message>
         <message>
             <source>By %1 at %2, level %3.</source>
-            <translation type="unfinished" />
+            <translation>Von %1 an %2, Stufe %3.</translation>
         </message>
         <message>
             <source>Export the journal</source>
@@ -3295,7 +3297,7 @@ Before that each is copied to %3.</source>
         </message>
         <message>
             <source>Not shown because refused: %1 of %2 control groups.</source>
-            <translation type="unfinished" />
+            <translation>Nicht gezeigt, weil abgelehnt: %1 von %2 Achsgruppen.</translation>
         </message>
     </context>
     <context>
@@ -3592,7 +3594,7 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>No alarm has been recorded yet.</source>
-            <translation type="unfinished" />
+            <translation>Es wurde noch kein Alarm aufgezeichnet.</translation>
         </message>
         <message>
             <source>It could not be saved: %1</source>
@@ -3608,7 +3610,7 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>Nothing is recorded: no communication</source>
-            <translation type="unfinished" />
+            <translation>Es wird nichts aufgezeichnet: keine Kommunikation</translation>
         </message>
         <message>
             <source>Live; values of %1</source>
@@ -3902,63 +3904,63 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <name>pendeskctl</name>
         <message>
             <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation type="unfinished" />
+            <translation>%1 Dateien wurden zurückgespielt. Die frische Sicherung ist %2.</translation>
         </message>
         <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
-            <translation type="unfinished" />
+            <translation>Angehalten bei %1. Der vorherige Stand liegt in %2; „restore“ von dort mit diesem Namen stellt ihn wieder her.</translation>
         </message>
         <message>
             <source>Delete all but the newest N backups afterwards, never the last good one.</source>
-            <translation type="unfinished" />
+            <translation>Danach alle Sicherungen außer den N neuesten löschen, nie die letzte gute.</translation>
         </message>
         <message>
             <source>Delete backups older than N days afterwards, never the last good one.</source>
-            <translation type="unfinished" />
+            <translation>Danach Sicherungen löschen, die älter als N Tage sind, nie die letzte gute.</translation>
         </message>
         <message>
             <source>Reads all files of the controller into DIR/&lt;controller&gt;/&lt;UTC time&gt;, in BagIt form.</source>
-            <translation type="unfinished" />
+            <translation>Liest alle Dateien der Steuerung nach DIR/&lt;controller&gt;/&lt;UTC time&gt;, in der Form BagIt.</translation>
         </message>
         <message>
             <source>Say the folder of the backups.</source>
-            <translation type="unfinished" />
+            <translation>Geben Sie den Ordner der Sicherungen an.</translation>
         </message>
         <message>
             <source>Reads a backup and tells whether it is what was written.</source>
-            <translation type="unfinished" />
+            <translation>Liest eine Sicherung und sagt, ob sie so ist, wie sie geschrieben wurde.</translation>
         </message>
         <message>
             <source>Say the backup.</source>
-            <translation type="unfinished" />
+            <translation>Geben Sie die Sicherung an.</translation>
         </message>
         <message>
             <source>Count dates, counters, blanks and line ends as differences too.</source>
-            <translation type="unfinished" />
+            <translation>Auch Datumsangaben, Zähler, Leerzeichen und Zeilenenden als Unterschiede zählen.</translation>
         </message>
         <message>
             <source>Compares two backups, or a backup with the controller; exit code 1 if they differ.</source>
-            <translation type="unfinished" />
+            <translation>Vergleicht zwei Sicherungen oder eine Sicherung mit der Steuerung; Rückgabewert 1, wenn sie abweichen.</translation>
         </message>
         <message>
             <source>Say one or two backups.</source>
-            <translation type="unfinished" />
+            <translation>Geben Sie eine oder zwei Sicherungen an.</translation>
         </message>
         <message>
             <source>Only print what would be done.</source>
-            <translation type="unfinished" />
+            <translation>Nur ausgeben, was geschehen würde.</translation>
         </message>
         <message>
             <source>Sends back what differs from a backup: first a fresh backup beside it, then file by file, each read back. Stops at the first error; never while a job runs.</source>
-            <translation type="unfinished" />
+            <translation>Sendet zurück, was von einer Sicherung abweicht: zuerst eine frische Sicherung daneben, dann Datei für Datei, jede zurückgelesen. Hält beim ersten Fehler an; nie, während ein Job läuft.</translation>
         </message>
         <message>
             <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation type="unfinished" />
+            <translation>Die Sicherung ist nicht so, wie sie geschrieben wurde; „verify“ sagt, was nicht stimmt. Aus ihr wird nichts zurückgespielt.</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>
-            <translation type="unfinished" />
+            <translation>„%1“ ist kein Dateiname.</translation>
         </message>
         <message>
             <source>Print for people instead of JSON.</source>
@@ -3986,47 +3988,47 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>A job is running; files are not changed meanwhile.</source>
-            <translation type="unfinished" />
+            <translation>Ein Job läuft; währenddessen werden keine Dateien geändert.</translation>
         </message>
         <message>
             <source>The name “%1” has no IPv4 address.</source>
-            <translation type="unfinished" />
+            <translation>Der Name „%1“ hat keine IPv4-Adresse.</translation>
         </message>
         <message>
             <source>The folder “%1” cannot be made.</source>
-            <translation type="unfinished" />
+            <translation>Der Ordner „%1“ kann nicht angelegt werden.</translation>
         </message>
         <message>
             <source>%1 exists and is left alone; --yes replaces it.</source>
-            <translation type="unfinished" />
+            <translation>%1 ist vorhanden und bleibt unberührt; --yes ersetzt es.</translation>
         </message>
         <message>
             <source>“%1” is no name that a controller takes.</source>
-            <translation type="unfinished" />
+            <translation>„%1“ ist kein Name, den eine Steuerung annimmt.</translation>
         </message>
         <message>
             <source>%1 exists at the controller and is left alone; --replace replaces it.</source>
-            <translation type="unfinished" />
+            <translation>%1 ist auf der Steuerung vorhanden und bleibt unberührt; --replace ersetzt es.</translation>
         </message>
         <message>
             <source>Lists the jobs.</source>
-            <translation type="unfinished" />
+            <translation>Listet die Jobs auf.</translation>
         </message>
         <message>
             <source>The folder for what comes; for rm, for the copies.</source>
-            <translation type="unfinished" />
+            <translation>Der Ordner für das, was kommt; bei rm für die Kopien.</translation>
         </message>
         <message>
             <source>put: replace what the controller has.</source>
-            <translation type="unfinished" />
+            <translation>put: ersetzen, was die Steuerung hat.</translation>
         </message>
         <message>
             <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation type="unfinished" />
+            <translation>Listet, liest, sendet und löscht Dateien. Gesendete Dateien werden zurückgelesen; bevor eine Datei gelöscht wird, wird hier eine Kopie geschrieben.</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
-            <translation type="unfinished" />
+            <translation>Geben Sie „ls“, „get NAME…“, „put FILE…“ oder „rm NAME…“ an.</translation>
         </message>
         <message>
             <source>read status, job, position and system information</source>
@@ -4034,55 +4036,55 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>read model, system software and parameter version</source>
-            <translation type="unfinished" />
+            <translation>Modell, Systemsoftware und Parameterversion lesen</translation>
         </message>
         <message>
             <source>read the active alarms, or a list of the history</source>
-            <translation type="unfinished" />
+            <translation>die anstehenden Alarme oder eine Liste des Verlaufs lesen</translation>
         </message>
         <message>
             <source>read where the robot stands</source>
-            <translation type="unfinished" />
+            <translation>lesen, wo der Roboter steht</translation>
         </message>
         <message>
             <source>list the jobs</source>
-            <translation type="unfinished" />
+            <translation>die Jobs auflisten</translation>
         </message>
         <message>
             <source>read I/O, write a network input</source>
-            <translation type="unfinished" />
+            <translation>E/A lesen, einen Netzwerkeingang schreiben</translation>
         </message>
         <message>
             <source>read and write registers</source>
-            <translation type="unfinished" />
+            <translation>Register lesen und schreiben</translation>
         </message>
         <message>
             <source>read and write variables</source>
-            <translation type="unfinished" />
+            <translation>Variablen lesen und schreiben</translation>
         </message>
         <message>
             <source>list, read, send and delete files</source>
-            <translation type="unfinished" />
+            <translation>Dateien auflisten, lesen, senden und löschen</translation>
         </message>
         <message>
             <source>read all files of a controller into a new backup</source>
-            <translation type="unfinished" />
+            <translation>alle Dateien einer Steuerung in eine neue Sicherung lesen</translation>
         </message>
         <message>
             <source>tell whether a backup is what was written</source>
-            <translation type="unfinished" />
+            <translation>sagen, ob eine Sicherung so ist, wie sie geschrieben wurde</translation>
         </message>
         <message>
             <source>compare two backups, or one with the controller</source>
-            <translation type="unfinished" />
+            <translation>zwei Sicherungen oder eine mit der Steuerung vergleichen</translation>
         </message>
         <message>
             <source>send back what differs from a backup</source>
-            <translation type="unfinished" />
+            <translation>zurücksenden, was von einer Sicherung abweicht</translation>
         </message>
         <message>
             <source>read values again and again</source>
-            <translation type="unfinished" />
+            <translation>Werte immer wieder lesen</translation>
         </message>
         <message>
             <source>take packets given in hex apart</source>
@@ -4102,11 +4104,11 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>%1: the controller has no such row of I/O groups.</source>
-            <translation type="unfinished" />
+            <translation>%1: Eine solche Reihe von E/A-Gruppen hat die Steuerung nicht.</translation>
         </message>
         <message>
             <source>Instance of the first variable on this controller, 0 or 1 (parameter RS022).</source>
-            <translation type="unfinished" />
+            <translation>Instanz der ersten Variable auf dieser Steuerung, 0 oder 1 (Parameter RS022).</translation>
         </message>
         <message>
             <source>Print JSON.</source>
@@ -4114,15 +4116,15 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>Yes, write: what changes something does nothing without it.</source>
-            <translation type="unfinished" />
+            <translation>Ja, schreiben: Was etwas ändert, tut ohne dies nichts.</translation>
         </message>
         <message>
             <source>No progress and no remarks.</source>
-            <translation type="unfinished" />
+            <translation>Kein Fortschritt und keine Bemerkungen.</translation>
         </message>
         <message>
             <source>--numbering takes 0 or 1.</source>
-            <translation type="unfinished" />
+            <translation>--numbering erwartet 0 oder 1.</translation>
         </message>
         <message>
             <source>Name the controller with --host or --profile.</source>
@@ -4134,91 +4136,91 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>This changes something at the controller or on this computer. Add --yes to do it.</source>
-            <translation type="unfinished" />
+            <translation>Das ändert etwas auf der Steuerung oder auf diesem Rechner. Mit --yes wird es ausgeführt.</translation>
         </message>
         <message>
             <source>Say what to read.</source>
-            <translation type="unfinished" />
+            <translation>Geben Sie an, was gelesen werden soll.</translation>
         </message>
         <message>
             <source>Positions are not written from the command line.</source>
-            <translation type="unfinished" />
+            <translation>Positionen werden nicht von der Befehlszeile aus geschrieben.</translation>
         </message>
         <message>
             <source>%1 cannot be written.</source>
-            <translation type="unfinished" />
+            <translation>%1 lässt sich nicht schreiben.</translation>
         </message>
         <message>
             <source>Nobody has verified which instance a variable has on this controller. Compare one value with the pendant, then say --numbering 0 or --numbering 1.</source>
-            <translation type="unfinished" />
+            <translation>Niemand hat geprüft, welche Instanz eine Variable auf dieser Steuerung hat. Vergleichen Sie einen Wert mit dem Programmierhandgerät, und geben Sie dann --numbering 0 oder --numbering 1 an.</translation>
         </message>
         <message>
             <source>Another value was read back: %1</source>
-            <translation type="unfinished" />
+            <translation>Ein anderer Wert wurde zurückgelesen: %1</translation>
         </message>
         <message>
             <source>io set takes one signal, such as 27010, and 0 or 1.</source>
-            <translation type="unfinished" />
+            <translation>io set erwartet ein Signal, zum Beispiel 27010, und 0 oder 1.</translation>
         </message>
         <message>
             <source>%1 cannot be written: HSES writes network inputs alone.</source>
-            <translation type="unfinished" />
+            <translation>%1 lässt sich nicht schreiben: HSES schreibt nur Netzwerkeingänge.</translation>
         </message>
         <message>
             <source>Say “get NAME…” or “set NAME VALUE”.</source>
-            <translation type="unfinished" />
+            <translation>Geben Sie „get NAME…“ oder „set NAME VALUE“ an.</translation>
         </message>
         <message>
             <source>Reads model, system software and parameter version.</source>
-            <translation type="unfinished" />
+            <translation>Liest Modell, Systemsoftware und Parameterversion.</translation>
         </message>
         <message>
             <source>In pulses instead of the base frame.</source>
-            <translation type="unfinished" />
+            <translation>In Impulsen statt im Basiskoordinatensystem.</translation>
         </message>
         <message>
             <source>Reads where the first robot stands.</source>
-            <translation type="unfinished" />
+            <translation>Liest, wo der erste Roboter steht.</translation>
         </message>
         <message>
             <source>A list of the history instead: major, minor, user, system or offline.</source>
-            <translation type="unfinished" />
+            <translation>Stattdessen eine Liste des Verlaufs: major, minor, user, system oder offline.</translation>
         </message>
         <message>
             <source>Reads the active alarms, newest first.</source>
-            <translation type="unfinished" />
+            <translation>Liest die anstehenden Alarme, den neuesten zuerst.</translation>
         </message>
         <message>
             <source>--history takes major, minor, user, system or offline.</source>
-            <translation type="unfinished" />
+            <translation>--history erwartet major, minor, user, system oder offline.</translation>
         </message>
         <message>
             <source>Reads rows of I/O groups (2701..2710) or signals (27010, IN#(1)); writes one network input.</source>
-            <translation type="unfinished" />
+            <translation>Liest Reihen von E/A-Gruppen (2701..2710) oder Signale (27010, IN#(1)); schreibt einen Netzwerkeingang.</translation>
         </message>
         <message>
             <source>Reads registers; writes one and reads it back.</source>
-            <translation type="unfinished" />
+            <translation>Liest Register; schreibt eines und liest es zurück.</translation>
         </message>
         <message>
             <source>Reads variables B I D R S P BP EX; writes one and reads it back.</source>
-            <translation type="unfinished" />
+            <translation>Liest Variablen B I D R S P BP EX; schreibt eine und liest sie zurück.</translation>
         </message>
         <message>
             <source>Time between two readings: 1s, 200ms.</source>
-            <translation type="unfinished" />
+            <translation>Zeit zwischen zwei Lesevorgängen: 1s, 200ms.</translation>
         </message>
         <message>
             <source>End after so many readings.</source>
-            <translation type="unfinished" />
+            <translation>Nach so vielen Lesevorgängen enden.</translation>
         </message>
         <message>
             <source>Reads variables, registers (M005) and I/O again and again, one line of JSON with --json.</source>
-            <translation type="unfinished" />
+            <translation>Liest Variablen, Register (M005) und E/A immer wieder, mit --json jeweils eine Zeile JSON.</translation>
         </message>
         <message>
             <source>--every takes a time such as 200ms or 1s, --count a whole number.</source>
-            <translation type="unfinished" />
+            <translation>--every erwartet eine Zeit wie 200ms oder 1s, --count eine ganze Zahl.</translation>
         </message>
         <message>
             <source>Reads status, executing job, position and system information once.</source>
@@ -4229,7 +4231,7 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <name>pendeskctl::AlarmReader</name>
         <message>
             <source>There are no alarms.</source>
-            <translation type="unfinished" />
+            <translation>Es gibt keine Alarme.</translation>
         </message>
     </context>
     <context>
@@ -6095,7 +6097,7 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         <name>widgets::DiffView</name>
         <message>
             <source>Lines of both versions</source>
-            <translation type="unfinished" />
+            <translation>Zeilen beider Fassungen</translation>
         </message>
         <message>
             <source>Line</source>
@@ -6103,17 +6105,17 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         </message>
         <message>
             <source>Older</source>
-            <translation type="unfinished" />
+            <translation>Älter</translation>
         </message>
         <message>
             <source>Newer</source>
-            <translation type="unfinished" />
+            <translation>Neuer</translation>
         </message>
         <message numerus="yes">
             <source>and %n more</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>und %n weitere</numerusform>
+                <numerusform>und %n weitere</numerusform>
             </translation>
         </message>
     </context>
@@ -6245,7 +6247,7 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         </message>
         <message>
             <source>%1  ·  %2 →  %3 ↑</source>
-            <translation type="unfinished" />
+            <translation>%1  ·  %2 →  %3 ↑</translation>
         </message>
         <message>
             <source>%1 mm</source>

@@ -566,7 +566,7 @@
         <name>dialogs::CompareDialog</name>
         <message>
             <source>Both are the same, byte for byte.</source>
-            <translation type="unfinished" />
+            <translation>両方は1バイトも違わず同じです。</translation>
         </message>
     </context>
     <context>
@@ -757,19 +757,19 @@
         <name>dialogs::JobEditor</name>
         <message>
             <source>Edit “%1”</source>
-            <translation type="unfinished" />
+            <translation>「%1」を編集</translation>
         </message>
         <message>
             <source>Text of the file</source>
-            <translation type="unfinished" />
+            <translation>ファイルの内容</translation>
         </message>
         <message>
             <source>Compare and send…</source>
-            <translation type="unfinished" />
+            <translation>比較して送信…</translation>
         </message>
         <message>
             <source>The controller's encoding lacks a character of this text.</source>
-            <translation type="unfinished" />
+            <translation>このテキストに、コントローラの文字コードにない文字があります。</translation>
         </message>
     </context>
     <context>
@@ -866,33 +866,33 @@
         <name>dialogs::OverwriteDialog</name>
         <message numerus="yes">
             <source>For the remaining %n file(s) too</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>残りの%n個のファイルにも適用</numerusform>
             </translation>
         </message>
         <message>
             <source>“%1” exists</source>
-            <translation type="unfinished" />
+            <translation>「%1」はすでにあります</translation>
         </message>
         <message>
             <source>There is a file “%1” %2 already.</source>
-            <translation type="unfinished" />
+            <translation>%2にファイル「%1」がすでにあります。</translation>
         </message>
         <message>
             <source>&amp;Compare…</source>
-            <translation type="unfinished" />
+            <translation>比較(&amp;C)…</translation>
         </message>
         <message>
             <source>&amp;Replace</source>
-            <translation type="unfinished" />
+            <translation>置換え(&amp;R)</translation>
         </message>
         <message>
             <source>&amp;Keep both</source>
-            <translation type="unfinished" />
+            <translation>両方を残す(&amp;K)</translation>
         </message>
         <message>
             <source>&amp;Skip</source>
-            <translation type="unfinished" />
+            <translation>スキップ(&amp;S)</translation>
         </message>
     </context>
     <context>
@@ -1065,7 +1065,7 @@
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
-            <translation type="unfinished" />
+            <translation>そのファイルを元に戻す</translation>
         </message>
         <message>
             <source>Close</source>
@@ -1073,54 +1073,54 @@
         </message>
         <message>
             <source>Restore %1 from %2</source>
-            <translation type="unfinished" />
+            <translation>%2から%1を復元</translation>
         </message>
         <message>
             <source>What would be done</source>
-            <translation type="unfinished" />
+            <translation>実行される内容</translation>
         </message>
         <message>
             <source>File</source>
-            <translation type="unfinished" />
+            <translation>ファイル</translation>
         </message>
         <message>
             <source>What is done</source>
-            <translation type="unfinished" />
+            <translation>処理</translation>
         </message>
         <message>
             <source>Reason</source>
-            <translation type="unfinished" />
+            <translation>理由</translation>
         </message>
         <message>
             <source>A fresh backup of %1 is made first. Then the files below are sent one by one and read back. It stops at the first error.</source>
-            <translation type="unfinished" />
+            <translation>最初に%1の新しいバックアップを作成します。次に、下のファイルを1つずつ送信し、読み戻します。最初のエラーで停止します。</translation>
         </message>
         <message>
             <source>+ new: it is sent</source>
-            <translation type="unfinished" />
+            <translation>+ 新規: 送信します</translation>
         </message>
         <message>
             <source>≠ changed: it is replaced</source>
-            <translation type="unfinished" />
+            <translation>≠ 変更あり: 置き換えます</translation>
         </message>
         <message>
             <source>= same: left alone</source>
-            <translation type="unfinished" />
+            <translation>= 同じ: そのままにします</translation>
         </message>
         <message>
             <source>▲ not allowed: left alone</source>
-            <translation type="unfinished" />
+            <translation>▲ 許可されていません: そのままにします</translation>
         </message>
         <message numerus="yes">
             <source>Back up, then restore %n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>バックアップしてから%n個のファイルを復元</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) are the same and not listed.</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>%n個のファイルは同じため、表示していません。</numerusform>
             </translation>
         </message>
         <message>
@@ -1129,43 +1129,43 @@
         </message>
         <message>
             <source>Sending file %1 of %2…</source>
-            <translation type="unfinished" />
+            <translation>ファイルを送信しています (%1 / %2)…</translation>
         </message>
         <message>
             <source>Fresh backup: file %1 of %2…</source>
-            <translation type="unfinished" />
+            <translation>新しいバックアップ: ファイル %1 / %2…</translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) were restored and read back.</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>%n個のファイルを復元し、読み戻しました。</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) were restored before that.</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>その前に%n個のファイルを復元しました。</numerusform>
             </translation>
         </message>
         <message>
             <source>It was cancelled.</source>
-            <translation type="unfinished" />
+            <translation>中止しました。</translation>
         </message>
         <message>
             <source>Stopped at %1.</source>
-            <translation type="unfinished" />
+            <translation>%1で停止しました。</translation>
         </message>
         <message>
             <source>Nothing was sent.</source>
-            <translation type="unfinished" />
+            <translation>何も送信していません。</translation>
         </message>
         <message>
             <source>The file is as it was before.</source>
-            <translation type="unfinished" />
+            <translation>ファイルは以前のままです。</translation>
         </message>
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
-            <translation type="unfinished" />
+            <translation>▲ ファイルを元に戻せませんでした。コントローラを確認してください。</translation>
         </message>
     </context>
     <context>
@@ -1534,7 +1534,7 @@
         </message>
         <message>
             <source>First seen by this computer: %1</source>
-            <translation type="unfinished" />
+            <translation>このコンピュータでの初回確認: %1</translation>
         </message>
     </context>
     <context>
@@ -1640,11 +1640,11 @@
         <name>models::QueueModel</name>
         <message>
             <source>waiting</source>
-            <translation type="unfinished" />
+            <translation>待機中</translation>
         </message>
         <message>
             <source>under way</source>
-            <translation type="unfinished" />
+            <translation>転送中</translation>
         </message>
         <message>
             <source>cancelled</source>
@@ -1652,57 +1652,57 @@
         </message>
         <message>
             <source>▲ %1</source>
-            <translation type="unfinished" />
+            <translation>▲ %1</translation>
         </message>
         <message>
             <source>done</source>
-            <translation type="unfinished" />
+            <translation>完了</translation>
         </message>
         <message>
             <source>done, read back identical</source>
-            <translation type="unfinished" />
+            <translation>完了、読戻し一致</translation>
         </message>
         <message numerus="yes">
             <source>done, the controller reformatted %n line(s)</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>完了、コントローラが%n行の書式を変更</numerusform>
             </translation>
         </message>
         <message>
             <source>▲ read back different</source>
-            <translation type="unfinished" />
+            <translation>▲ 読戻し不一致</translation>
         </message>
         <message>
             <source>▲ sent, but it could not be read back</source>
-            <translation type="unfinished" />
+            <translation>▲ 送信済み、ただし読み戻せませんでした</translation>
         </message>
         <message>
             <source>← to the computer</source>
-            <translation type="unfinished" />
+            <translation>← コンピュータへ</translation>
         </message>
         <message>
             <source>→ to the controller</source>
-            <translation type="unfinished" />
+            <translation>→ コントローラへ</translation>
         </message>
         <message>
             <source>✕ delete</source>
-            <translation type="unfinished" />
+            <translation>✕ 削除</translation>
         </message>
         <message>
             <source>%1 of %2</source>
-            <translation type="unfinished" />
+            <translation>%1 / %2</translation>
         </message>
         <message>
             <source>%1/s</source>
-            <translation type="unfinished" />
+            <translation>%1/秒</translation>
         </message>
         <message>
             <source>File</source>
-            <translation type="unfinished" />
+            <translation>ファイル</translation>
         </message>
         <message>
             <source>Direction</source>
-            <translation type="unfinished" />
+            <translation>方向</translation>
         </message>
         <message>
             <source>State</source>
@@ -1710,15 +1710,15 @@
         </message>
         <message>
             <source>Bytes</source>
-            <translation type="unfinished" />
+            <translation>バイト数</translation>
         </message>
         <message>
             <source>Rate</source>
-            <translation type="unfinished" />
+            <translation>速度</translation>
         </message>
         <message>
             <source>Remaining</source>
-            <translation type="unfinished" />
+            <translation>残り</translation>
         </message>
     </context>
     <context>
@@ -2227,11 +2227,11 @@
         <name>pages::BackupPage</name>
         <message>
             <source>Taken</source>
-            <translation type="unfinished" />
+            <translation>取得日時</translation>
         </message>
         <message>
             <source>Files</source>
-            <translation type="unfinished" />
+            <translation>ファイル</translation>
         </message>
         <message>
             <source>Changed</source>
@@ -2243,35 +2243,35 @@
         </message>
         <message>
             <source>Backups</source>
-            <translation type="unfinished" />
+            <translation>バックアップ</translation>
         </message>
         <message>
             <source> newest</source>
-            <translation type="unfinished" />
+            <translation> 個 (新しい順)</translation>
         </message>
         <message>
             <source>Keep any number</source>
-            <translation type="unfinished" />
+            <translation>個数の制限なし</translation>
         </message>
         <message>
             <source> days</source>
-            <translation type="unfinished" />
+            <translation> 日</translation>
         </message>
         <message>
             <source>Keep any age</source>
-            <translation type="unfinished" />
+            <translation>期間の制限なし</translation>
         </message>
         <message>
             <source>Back up now</source>
-            <translation type="unfinished" />
+            <translation>今すぐバックアップ</translation>
         </message>
         <message>
             <source>Verify</source>
-            <translation type="unfinished" />
+            <translation>検証</translation>
         </message>
         <message>
             <source>Pin</source>
-            <translation type="unfinished" />
+            <translation>固定</translation>
         </message>
         <message>
             <source>Compare</source>
@@ -2279,167 +2279,167 @@
         </message>
         <message>
             <source>File</source>
-            <translation type="unfinished" />
+            <translation>ファイル</translation>
         </message>
         <message>
             <source>Change</source>
-            <translation type="unfinished" />
+            <translation>変更</translation>
         </message>
         <message>
             <source>Files that differ</source>
-            <translation type="unfinished" />
+            <translation>異なるファイル</translation>
         </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>良好: %n個のファイルの全バイトが書き込んだときのままです。</numerusform>
             </translation>
         </message>
         <message>
             <source>▲ Not good: %1</source>
-            <translation type="unfinished" />
+            <translation>▲ 不良: %1</translation>
         </message>
         <message>
             <source>After a backup keep</source>
-            <translation type="unfinished" />
+            <translation>バックアップ後に残す範囲</translation>
         </message>
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
-            <translation type="unfinished" />
+            <translation>最後の良好なバックアップと固定したバックアップは削除しません。</translation>
         </message>
         <message>
             <source>Comparison</source>
-            <translation type="unfinished" />
+            <translation>比較結果</translation>
         </message>
         <message>
             <source>Compare with</source>
-            <translation type="unfinished" />
+            <translation>比較対象</translation>
         </message>
         <message>
             <source>with the backup before</source>
-            <translation type="unfinished" />
+            <translation>1つ前のバックアップと</translation>
         </message>
         <message>
             <source>with the newest backup</source>
-            <translation type="unfinished" />
+            <translation>最新のバックアップと</translation>
         </message>
         <message>
             <source>with the controller now</source>
-            <translation type="unfinished" />
+            <translation>コントローラの現在の内容と</translation>
         </message>
         <message>
             <source>Restore…</source>
-            <translation type="unfinished" />
+            <translation>復元…</translation>
         </message>
         <message>
             <source>Not counted as a difference:</source>
-            <translation type="unfinished" />
+            <translation>差異として数えないもの:</translation>
         </message>
         <message>
             <source>Choose a backup and compare it.</source>
-            <translation type="unfinished" />
+            <translation>バックアップを選んで比較してください。</translation>
         </message>
         <message>
             <source>In %1</source>
-            <translation type="unfinished" />
+            <translation>保存先: %1</translation>
         </message>
         <message>
             <source>▲ no backup any more</source>
-            <translation type="unfinished" />
+            <translation>▲ もうバックアップではありません</translation>
         </message>
         <message numerus="yes">
             <source>▲ %n file(s) missing</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>▲ %n個のファイルがありません</numerusform>
             </translation>
         </message>
         <message>
             <source>complete</source>
-            <translation type="unfinished" />
+            <translation>完全</translation>
         </message>
         <message>
             <source>%1, pinned</source>
-            <translation type="unfinished" />
+            <translation>%1、固定</translation>
         </message>
         <message>
             <source>Unpin</source>
-            <translation type="unfinished" />
+            <translation>固定を解除</translation>
         </message>
         <message>
             <source>Choose a backup first.</source>
-            <translation type="unfinished" />
+            <translation>先にバックアップを選んでください。</translation>
         </message>
         <message>
             <source>Files are being read.</source>
-            <translation type="unfinished" />
+            <translation>ファイルを読み出しています。</translation>
         </message>
         <message>
             <source>Reading file %1 of %2…</source>
-            <translation type="unfinished" />
+            <translation>ファイルを読み出しています (%1 / %2)…</translation>
         </message>
         <message>
             <source>Reading the lists…</source>
-            <translation type="unfinished" />
+            <translation>一覧を読み出しています…</translation>
         </message>
         <message>
             <source>▲ There is no new backup: %1</source>
-            <translation type="unfinished" />
+            <translation>▲ 新しいバックアップはありません: %1</translation>
         </message>
         <message>
             <source>▲ %1 of %2 files were backed up.</source>
-            <translation type="unfinished" />
+            <translation>▲ %2個のうち%1個のファイルをバックアップしました。</translation>
         </message>
         <message numerus="yes">
             <source>All %n file(s) were backed up.</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>%n個のファイルをすべてバックアップしました。</numerusform>
             </translation>
         </message>
         <message>
             <source>Reading every byte…</source>
-            <translation type="unfinished" />
+            <translation>全バイトを読んでいます…</translation>
         </message>
         <message>
             <source>There is no other backup to compare with.</source>
-            <translation type="unfinished" />
+            <translation>比較できるバックアップがほかにありません。</translation>
         </message>
         <message>
             <source>The controller's files were read.</source>
-            <translation type="unfinished" />
+            <translation>コントローラのファイルを読み出しました。</translation>
         </message>
         <message>
             <source>≠ changed</source>
-            <translation type="unfinished" />
+            <translation>≠ 変更あり</translation>
         </message>
         <message>
             <source>+ new</source>
-            <translation type="unfinished" />
+            <translation>+ 新規</translation>
         </message>
         <message>
             <source>− gone</source>
-            <translation type="unfinished" />
+            <translation>− 削除</translation>
         </message>
         <message>
             <source>▲ not read, nobody knows</source>
-            <translation type="unfinished" />
+            <translation>▲ 未読出し、不明</translation>
         </message>
         <message numerus="yes">
             <source>%n file(s) differ</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>%n個のファイルが異なります</numerusform>
             </translation>
         </message>
         <message>
             <source>Choose a file above.</source>
-            <translation type="unfinished" />
+            <translation>上でファイルを選んでください。</translation>
         </message>
         <message>
             <source>Nothing differs.</source>
-            <translation type="unfinished" />
+            <translation>違いはありません。</translation>
         </message>
         <message>
             <source>This file is not in the backup as it was written.</source>
-            <translation type="unfinished" />
+            <translation>バックアップにあるこのファイルは、書き込んだときと異なります。</translation>
         </message>
     </context>
     <context>
@@ -2516,8 +2516,8 @@
         <name>pages::FilePane</name>
         <message numerus="yes">
             <source>%n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>%n個のファイル</numerusform>
             </translation>
         </message>
     </context>
@@ -2525,7 +2525,7 @@
         <name>pages::FilesPage</name>
         <message>
             <source>This computer</source>
-            <translation type="unfinished" />
+            <translation>このコンピュータ</translation>
         </message>
         <message>
             <source>Controller</source>
@@ -2537,35 +2537,35 @@
         </message>
         <message>
             <source>← Fetch</source>
-            <translation type="unfinished" />
+            <translation>← 取得</translation>
         </message>
         <message>
             <source>Edit…</source>
-            <translation type="unfinished" />
+            <translation>編集…</translation>
         </message>
         <message>
             <source>Folder…</source>
-            <translation type="unfinished" />
+            <translation>フォルダ…</translation>
         </message>
         <message>
             <source>Folder of the files</source>
-            <translation type="unfinished" />
+            <translation>ファイルのフォルダ</translation>
         </message>
         <message>
             <source>Type of the files</source>
-            <translation type="unfinished" />
+            <translation>ファイルのタイプ</translation>
         </message>
         <message>
             <source>Send →</source>
-            <translation type="unfinished" />
+            <translation>送信 →</translation>
         </message>
         <message>
             <source>Delete…</source>
-            <translation type="unfinished" />
+            <translation>削除…</translation>
         </message>
         <message>
             <source>Transfers</source>
-            <translation type="unfinished" />
+            <translation>転送</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -2573,15 +2573,15 @@
         </message>
         <message>
             <source>Retry failed</source>
-            <translation type="unfinished" />
+            <translation>失敗分を再試行</translation>
         </message>
         <message>
             <source>Clear finished</source>
-            <translation type="unfinished" />
+            <translation>完了分を消去</translation>
         </message>
         <message>
             <source>There are no controller files in this folder.</source>
-            <translation type="unfinished" />
+            <translation>このフォルダにコントローラのファイルはありません。</translation>
         </message>
         <message>
             <source>Reading the list…</source>
@@ -2589,61 +2589,63 @@
         </message>
         <message>
             <source>The controller lists no files of this type.</source>
-            <translation type="unfinished" />
+            <translation>コントローラの一覧にこのタイプのファイルはありません。</translation>
         </message>
         <message>
             <source>Choose files on the left first.</source>
-            <translation type="unfinished" />
+            <translation>先に左側でファイルを選んでください。</translation>
         </message>
         <message>
             <source>Choose files on the right first.</source>
-            <translation type="unfinished" />
+            <translation>先に右側でファイルを選んでください。</translation>
         </message>
         <message>
             <source>Before sending</source>
-            <translation type="unfinished" />
+            <translation>送信の前に</translation>
         </message>
         <message numerus="yes">
             <source>Send %n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>%n個のファイルを送信</numerusform>
             </translation>
         </message>
         <message>
             <source>on this computer</source>
-            <translation type="unfinished" />
+            <translation>このコンピュータ上</translation>
         </message>
         <message>
             <source>on %1</source>
-            <translation type="unfinished" />
+            <translation>%1上</translation>
         </message>
         <message>
             <source>What would change in “%1”</source>
-            <translation type="unfinished" />
+            <translation>「%1」で変わる内容</translation>
         </message>
         <message>
             <source>Delete on %1</source>
-            <translation type="unfinished" />
+            <translation>%1のファイル削除</translation>
         </message>
         <message>
             <source>These files are deleted on %1:
 %2
 Before that each is copied to %3.</source>
-            <translation type="unfinished" />
+            <translation>%1の次のファイルを削除します:
+%2
+その前に、それぞれを%3にコピーします。</translation>
         </message>
         <message numerus="yes">
             <source>Delete %n file(s)</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>%n個のファイルを削除</numerusform>
             </translation>
         </message>
         <message>
             <source>What changes in “%1” on %2</source>
-            <translation type="unfinished" />
+            <translation>%2の「%1」で変わる内容</translation>
         </message>
         <message>
             <source>Send</source>
-            <translation type="unfinished" />
+            <translation>送信</translation>
         </message>
     </context>
     <context>
@@ -3022,7 +3024,7 @@ Before that each is copied to %3.</source>
         </message>
         <message>
             <source>By %1 at %2, level %3.</source>
-            <translation type="unfinished" />
+            <translation>実行者: %1 (%2)、レベル: %3。</translation>
         </message>
         <message>
             <source>Export the journal</source>
@@ -3260,7 +3262,7 @@ Before that each is copied to %3.</source>
         </message>
         <message>
             <source>Not shown because refused: %1 of %2 control groups.</source>
-            <translation type="unfinished" />
+            <translation>拒否されたため表示していません: %2個のうち%1個の制御グループ。</translation>
         </message>
     </context>
     <context>
@@ -3556,7 +3558,7 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>No alarm has been recorded yet.</source>
-            <translation type="unfinished" />
+            <translation>アラームはまだ記録されていません。</translation>
         </message>
         <message>
             <source>It could not be saved: %1</source>
@@ -3572,7 +3574,7 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>Nothing is recorded: no communication</source>
-            <translation type="unfinished" />
+            <translation>何も記録していません: 通信なし</translation>
         </message>
         <message>
             <source>Live; values of %1</source>
@@ -3865,63 +3867,63 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <name>pendeskctl</name>
         <message>
             <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation type="unfinished" />
+            <translation>%1個のファイルを復元しました。新しいバックアップは%2です。</translation>
         </message>
         <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
-            <translation type="unfinished" />
+            <translation>%1で停止しました。元の内容は%2にあります。この名前を指定してそれを「restore」すると元に戻ります。</translation>
         </message>
         <message>
             <source>Delete all but the newest N backups afterwards, never the last good one.</source>
-            <translation type="unfinished" />
+            <translation>終了後、最新のN個以外のバックアップを削除します。最後の良好なバックアップは削除しません。</translation>
         </message>
         <message>
             <source>Delete backups older than N days afterwards, never the last good one.</source>
-            <translation type="unfinished" />
+            <translation>終了後、N日より古いバックアップを削除します。最後の良好なバックアップは削除しません。</translation>
         </message>
         <message>
             <source>Reads all files of the controller into DIR/&lt;controller&gt;/&lt;UTC time&gt;, in BagIt form.</source>
-            <translation type="unfinished" />
+            <translation>コントローラの全ファイルを、BagIt形式でDIR/&lt;controller&gt;/&lt;UTC time&gt;に読み出します。</translation>
         </message>
         <message>
             <source>Say the folder of the backups.</source>
-            <translation type="unfinished" />
+            <translation>バックアップのフォルダを指定してください。</translation>
         </message>
         <message>
             <source>Reads a backup and tells whether it is what was written.</source>
-            <translation type="unfinished" />
+            <translation>バックアップを読み、書き込んだときのままかどうかを知らせます。</translation>
         </message>
         <message>
             <source>Say the backup.</source>
-            <translation type="unfinished" />
+            <translation>バックアップを指定してください。</translation>
         </message>
         <message>
             <source>Count dates, counters, blanks and line ends as differences too.</source>
-            <translation type="unfinished" />
+            <translation>日付、カウンタ、空白、行末の違いも差異として数えます。</translation>
         </message>
         <message>
             <source>Compares two backups, or a backup with the controller; exit code 1 if they differ.</source>
-            <translation type="unfinished" />
+            <translation>2つのバックアップ、またはバックアップとコントローラを比較します。異なれば終了コードは1です。</translation>
         </message>
         <message>
             <source>Say one or two backups.</source>
-            <translation type="unfinished" />
+            <translation>1つまたは2つのバックアップを指定してください。</translation>
         </message>
         <message>
             <source>Only print what would be done.</source>
-            <translation type="unfinished" />
+            <translation>実行される内容を表示するだけにします。</translation>
         </message>
         <message>
             <source>Sends back what differs from a backup: first a fresh backup beside it, then file by file, each read back. Stops at the first error; never while a job runs.</source>
-            <translation type="unfinished" />
+            <translation>バックアップと異なるものを送り戻します。最初にその隣に新しいバックアップを作成し、次に1ファイルずつ送信して読み戻します。最初のエラーで停止します。ジョブの運転中は行いません。</translation>
         </message>
         <message>
             <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation type="unfinished" />
+            <translation>バックアップが書き込んだときと異なります。誤りの内容は「verify」で分かります。このバックアップからは何も復元しません。</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>
-            <translation type="unfinished" />
+            <translation>「%1」はファイル名に使えません。</translation>
         </message>
         <message>
             <source>Print for people instead of JSON.</source>
@@ -3949,47 +3951,47 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>A job is running; files are not changed meanwhile.</source>
-            <translation type="unfinished" />
+            <translation>ジョブが運転中です。その間はファイルを変更しません。</translation>
         </message>
         <message>
             <source>The name “%1” has no IPv4 address.</source>
-            <translation type="unfinished" />
+            <translation>名前「%1」のIPv4アドレスがありません。</translation>
         </message>
         <message>
             <source>The folder “%1” cannot be made.</source>
-            <translation type="unfinished" />
+            <translation>フォルダ「%1」を作成できません。</translation>
         </message>
         <message>
             <source>%1 exists and is left alone; --yes replaces it.</source>
-            <translation type="unfinished" />
+            <translation>%1はすでにあるため、そのままにします。置き換えるには--yesを指定してください。</translation>
         </message>
         <message>
             <source>“%1” is no name that a controller takes.</source>
-            <translation type="unfinished" />
+            <translation>「%1」はコントローラが受け付ける名前ではありません。</translation>
         </message>
         <message>
             <source>%1 exists at the controller and is left alone; --replace replaces it.</source>
-            <translation type="unfinished" />
+            <translation>%1はコントローラにすでにあるため、そのままにします。置き換えるには--replaceを指定してください。</translation>
         </message>
         <message>
             <source>Lists the jobs.</source>
-            <translation type="unfinished" />
+            <translation>ジョブの一覧を表示します。</translation>
         </message>
         <message>
             <source>The folder for what comes; for rm, for the copies.</source>
-            <translation type="unfinished" />
+            <translation>取得したファイルの保存先フォルダ。rmでは写しの保存先。</translation>
         </message>
         <message>
             <source>put: replace what the controller has.</source>
-            <translation type="unfinished" />
+            <translation>put: コントローラにあるものを置き換えます。</translation>
         </message>
         <message>
             <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation type="unfinished" />
+            <translation>ファイルの一覧表示、読出し、送信、削除を行います。送信したファイルは読み戻します。ファイルを削除する前に、写しをここに書き込みます。</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
-            <translation type="unfinished" />
+            <translation>「ls」、「get NAME…」、「put FILE…」、「rm NAME…」のいずれかを指定してください。</translation>
         </message>
         <message>
             <source>read status, job, position and system information</source>
@@ -3997,55 +3999,55 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>read model, system software and parameter version</source>
-            <translation type="unfinished" />
+            <translation>機種、システムソフトウェア、パラメータバージョンを読み出します</translation>
         </message>
         <message>
             <source>read the active alarms, or a list of the history</source>
-            <translation type="unfinished" />
+            <translation>発生中のアラーム、または履歴のリストを読み出します</translation>
         </message>
         <message>
             <source>read where the robot stands</source>
-            <translation type="unfinished" />
+            <translation>ロボットの現在位置を読み出します</translation>
         </message>
         <message>
             <source>list the jobs</source>
-            <translation type="unfinished" />
+            <translation>ジョブの一覧を表示します</translation>
         </message>
         <message>
             <source>read I/O, write a network input</source>
-            <translation type="unfinished" />
+            <translation>I/Oを読み出し、ネットワーク入力を書き込みます</translation>
         </message>
         <message>
             <source>read and write registers</source>
-            <translation type="unfinished" />
+            <translation>レジスタを読み書きします</translation>
         </message>
         <message>
             <source>read and write variables</source>
-            <translation type="unfinished" />
+            <translation>変数を読み書きします</translation>
         </message>
         <message>
             <source>list, read, send and delete files</source>
-            <translation type="unfinished" />
+            <translation>ファイルの一覧表示、読出し、送信、削除を行います</translation>
         </message>
         <message>
             <source>read all files of a controller into a new backup</source>
-            <translation type="unfinished" />
+            <translation>コントローラの全ファイルを新しいバックアップに読み出します</translation>
         </message>
         <message>
             <source>tell whether a backup is what was written</source>
-            <translation type="unfinished" />
+            <translation>バックアップが書き込んだときのままかどうかを知らせます</translation>
         </message>
         <message>
             <source>compare two backups, or one with the controller</source>
-            <translation type="unfinished" />
+            <translation>2つのバックアップ、またはバックアップとコントローラを比較します</translation>
         </message>
         <message>
             <source>send back what differs from a backup</source>
-            <translation type="unfinished" />
+            <translation>バックアップと異なるものを送り戻します</translation>
         </message>
         <message>
             <source>read values again and again</source>
-            <translation type="unfinished" />
+            <translation>値を繰り返し読み出します</translation>
         </message>
         <message>
             <source>take packets given in hex apart</source>
@@ -4065,11 +4067,11 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>%1: the controller has no such row of I/O groups.</source>
-            <translation type="unfinished" />
+            <translation>%1: コントローラにその範囲のI/Oグループはありません。</translation>
         </message>
         <message>
             <source>Instance of the first variable on this controller, 0 or 1 (parameter RS022).</source>
-            <translation type="unfinished" />
+            <translation>このコントローラの先頭の変数のインスタンス、0または1 (パラメータRS022)。</translation>
         </message>
         <message>
             <source>Print JSON.</source>
@@ -4077,15 +4079,15 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>Yes, write: what changes something does nothing without it.</source>
-            <translation type="unfinished" />
+            <translation>書込みを承認します。指定しなければ、変更を伴う操作は何も行いません。</translation>
         </message>
         <message>
             <source>No progress and no remarks.</source>
-            <translation type="unfinished" />
+            <translation>進行状況と注記を表示しません。</translation>
         </message>
         <message>
             <source>--numbering takes 0 or 1.</source>
-            <translation type="unfinished" />
+            <translation>--numberingには0または1を指定してください。</translation>
         </message>
         <message>
             <source>Name the controller with --host or --profile.</source>
@@ -4097,91 +4099,91 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>This changes something at the controller or on this computer. Add --yes to do it.</source>
-            <translation type="unfinished" />
+            <translation>コントローラまたはこのコンピュータの内容が変わります。実行するには--yesを付けてください。</translation>
         </message>
         <message>
             <source>Say what to read.</source>
-            <translation type="unfinished" />
+            <translation>読み出すものを指定してください。</translation>
         </message>
         <message>
             <source>Positions are not written from the command line.</source>
-            <translation type="unfinished" />
+            <translation>位置はコマンドラインからは書き込めません。</translation>
         </message>
         <message>
             <source>%1 cannot be written.</source>
-            <translation type="unfinished" />
+            <translation>%1は書き込めません。</translation>
         </message>
         <message>
             <source>Nobody has verified which instance a variable has on this controller. Compare one value with the pendant, then say --numbering 0 or --numbering 1.</source>
-            <translation type="unfinished" />
+            <translation>このコントローラの変数がどのインスタンスかは、まだ照合されていません。値を1つペンダントと比較してから、--numbering 0または--numbering 1を指定してください。</translation>
         </message>
         <message>
             <source>Another value was read back: %1</source>
-            <translation type="unfinished" />
+            <translation>別の値が読み戻されました: %1</translation>
         </message>
         <message>
             <source>io set takes one signal, such as 27010, and 0 or 1.</source>
-            <translation type="unfinished" />
+            <translation>io setには、27010のような信号を1つと、0または1を指定してください。</translation>
         </message>
         <message>
             <source>%1 cannot be written: HSES writes network inputs alone.</source>
-            <translation type="unfinished" />
+            <translation>%1は書き込めません。HSESで書き込めるのはネットワーク入力だけです。</translation>
         </message>
         <message>
             <source>Say “get NAME…” or “set NAME VALUE”.</source>
-            <translation type="unfinished" />
+            <translation>「get NAME…」または「set NAME VALUE」を指定してください。</translation>
         </message>
         <message>
             <source>Reads model, system software and parameter version.</source>
-            <translation type="unfinished" />
+            <translation>機種、システムソフトウェア、パラメータバージョンを読み出します。</translation>
         </message>
         <message>
             <source>In pulses instead of the base frame.</source>
-            <translation type="unfinished" />
+            <translation>ベース座標ではなくパルスで表示します。</translation>
         </message>
         <message>
             <source>Reads where the first robot stands.</source>
-            <translation type="unfinished" />
+            <translation>最初のロボットの現在位置を読み出します。</translation>
         </message>
         <message>
             <source>A list of the history instead: major, minor, user, system or offline.</source>
-            <translation type="unfinished" />
+            <translation>代わりに履歴のリスト: major、minor、user、system、offlineのいずれか。</translation>
         </message>
         <message>
             <source>Reads the active alarms, newest first.</source>
-            <translation type="unfinished" />
+            <translation>発生中のアラームを新しい順に読み出します。</translation>
         </message>
         <message>
             <source>--history takes major, minor, user, system or offline.</source>
-            <translation type="unfinished" />
+            <translation>--historyにはmajor、minor、user、system、offlineのいずれかを指定してください。</translation>
         </message>
         <message>
             <source>Reads rows of I/O groups (2701..2710) or signals (27010, IN#(1)); writes one network input.</source>
-            <translation type="unfinished" />
+            <translation>I/Oグループの範囲 (2701..2710) または信号 (27010、IN#(1)) を読み出します。ネットワーク入力を1つ書き込みます。</translation>
         </message>
         <message>
             <source>Reads registers; writes one and reads it back.</source>
-            <translation type="unfinished" />
+            <translation>レジスタを読み出します。1つを書き込み、読み戻します。</translation>
         </message>
         <message>
             <source>Reads variables B I D R S P BP EX; writes one and reads it back.</source>
-            <translation type="unfinished" />
+            <translation>変数B I D R S P BP EXを読み出します。1つを書き込み、読み戻します。</translation>
         </message>
         <message>
             <source>Time between two readings: 1s, 200ms.</source>
-            <translation type="unfinished" />
+            <translation>読出しの間隔: 1s、200ms。</translation>
         </message>
         <message>
             <source>End after so many readings.</source>
-            <translation type="unfinished" />
+            <translation>この回数だけ読み出したら終了します。</translation>
         </message>
         <message>
             <source>Reads variables, registers (M005) and I/O again and again, one line of JSON with --json.</source>
-            <translation type="unfinished" />
+            <translation>変数、レジスタ (M005)、I/Oを繰り返し読み出します。--jsonを指定すると1回につきJSON 1行です。</translation>
         </message>
         <message>
             <source>--every takes a time such as 200ms or 1s, --count a whole number.</source>
-            <translation type="unfinished" />
+            <translation>--everyには200msや1sのような時間を、--countには整数を指定してください。</translation>
         </message>
         <message>
             <source>Reads status, executing job, position and system information once.</source>
@@ -4192,7 +4194,7 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <name>pendeskctl::AlarmReader</name>
         <message>
             <source>There are no alarms.</source>
-            <translation type="unfinished" />
+            <translation>アラームはありません。</translation>
         </message>
     </context>
     <context>
@@ -6053,7 +6055,7 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         <name>widgets::DiffView</name>
         <message>
             <source>Lines of both versions</source>
-            <translation type="unfinished" />
+            <translation>両方の版の行</translation>
         </message>
         <message>
             <source>Line</source>
@@ -6061,16 +6063,16 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         </message>
         <message>
             <source>Older</source>
-            <translation type="unfinished" />
+            <translation>古い版</translation>
         </message>
         <message>
             <source>Newer</source>
-            <translation type="unfinished" />
+            <translation>新しい版</translation>
         </message>
         <message numerus="yes">
             <source>and %n more</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>ほか%n件</numerusform>
             </translation>
         </message>
     </context>
@@ -6202,7 +6204,7 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         </message>
         <message>
             <source>%1  ·  %2 →  %3 ↑</source>
-            <translation type="unfinished" />
+            <translation>%1  ·  %2 →  %3 ↑</translation>
         </message>
         <message>
             <source>%1 mm</source>
