@@ -3844,8 +3844,8 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <translation>nicht alles wurde gelesen</translation>
         </message>
         <message>
-            <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk: innerhalb von 5 s keine Steuerung live: %1.</translation>
+            <source>pendesk: no live controller within 20 s: %1.</source>
+            <translation>pendesk: innerhalb von 20 s keine Steuerung live: %1.</translation>
         </message>
         <message>
             <source>pendesk: the folder %1 cannot be made.</source>

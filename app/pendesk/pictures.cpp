@@ -21,12 +21,12 @@ Pictures::Pictures(ui::MainWindow &window, const QString &folder, QObject *paren
 {
     m_look.setInterval(100ms);
     m_deadline.setSingleShot(true);
-    m_deadline.setInterval(5s);
+    m_deadline.setInterval(20s);
     connect(&m_look, &QTimer::timeout, this, &Pictures::look);
     connect(&m_deadline, &QTimer::timeout, this, [this] {
         const auto &trouble = m_window.controller().trouble();
         const QString why = trouble ? protocol::explain(*trouble) : tr("not everything was read");
-        std::fprintf(stderr, "%s\n", qUtf8Printable(tr("pendesk: no live controller within 5 s: %1.").arg(why)));
+        std::fprintf(stderr, "%s\n", qUtf8Printable(tr("pendesk: no live controller within 20 s: %1.").arg(why)));
         end(take(QStringLiteral("checking")) ? NoAnswer : LocalFile);
     });
 }

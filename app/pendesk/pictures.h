@@ -13,7 +13,7 @@ class MainWindow;
 namespace pendesk {
 
 /// Pictures of every page, light and dark: not connected, then live as soon as everything on the page was read. The
-/// status that was read goes to the output stream. Without a live controller within 5 s there is a sentence instead.
+/// status that was read goes to the output stream. Without a live controller within 20 s there is a sentence instead.
 class Pictures : public QObject
 {
     Q_OBJECT
