@@ -93,7 +93,7 @@ public:
     settings::ProfileStore store;
     robot::Access access;
     robot::Arming arming;
-    std::chrono::milliseconds readTimeout {100}; ///< Of the profile.
+    std::chrono::milliseconds readTimeout {500}; ///< Of the profile; patient with a busy computer.
     std::chrono::milliseconds servoTimeout {8000};
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
     quint16 port = 0;
