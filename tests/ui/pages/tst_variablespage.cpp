@@ -67,14 +67,10 @@ class TestVariablesPage : public QObject
 private Q_SLOTS:
     void init() { QLocale::setDefault(QLocale::c()); }
     void onlyRowsInViewAreRead();
-    void editsAreStagedAppliedAndUndone();
-    void typingSurvivesThePoll();
     void badTextIsNotTaken();
     void unverifiedNumberingWritesNothing();
     void theNumberingTest();
-    void goesTo();
     void pastes();
-    void positionsAreEdited();
     void watchPagesAreKept();
     void registers();
     void pictures();
@@ -95,56 +91,6 @@ void TestVariablesPage::onlyRowsInViewAreRead()
     QTRY_VERIFY(room.text(0) != u"—");
     QCOMPARE(room.harness.server->arrived(0x7C), 0); // plural, not one by one
     QVERIFY(room.harness.server->arrived(0x304) > 0);
-}
-
-void TestVariablesPage::editsAreStagedAppliedAndUndone()
-{
-    Sheet room;
-    QVERIFY(room.open());
-    room.memory().b[2].value = 2;
-    QTRY_COMPARE(room.text(2), QStringLiteral("2"));
-    QVERIFY(!room.find<QPushButton>("write-variable")->isEnabled());
-    room.type(2, QStringLiteral("5"));
-    QCOMPARE(room.text(2), QStringLiteral("2 → 5"));
-    QCOMPARE(room.memory().b[2].value, 2); // staged, not sent
-    QVERIFY(room.find<QPushButton>("write-variable")->text().contains(u'1'));
-    QVERIFY(room.apply());
-    QTRY_COMPARE(room.memory().b[2].value, 5);
-    QTRY_COMPARE(room.text(2), QStringLiteral("5"));
-    room.click("undoButton");
-    QTRY_COMPARE(room.text(2), QStringLiteral("5 → 2"));
-    QVERIFY(room.apply());
-    QTRY_COMPARE(room.memory().b[2].value, 2);
-    room.type(3, QStringLiteral("9"));
-    room.click("discardButton");
-    QTRY_VERIFY(!room.text(3).contains(u'→'));
-}
-
-void TestVariablesPage::typingSurvivesThePoll()
-{
-    Sheet room;
-    QVERIFY(room.open());
-    room.select(5);
-    QTest::keyClick(room.table(), Qt::Key_Return);
-    auto *editor = room.table()->findChild<QLineEdit *>(QStringLiteral("cellEditor"));
-    QVERIFY(editor && editor->hasFocus());
-    editor->clear();
-    QTest::keyClicks(editor, QStringLiteral("123"));
-    editor->setSelection(1, 1);
-    auto *live = room.table()->findChild<QLabel *>(QStringLiteral("liveLabel"));
-    auto &state = room.harness.state();
-    for (int value = 40; value < 60; ++value) {
-        state.take<robot::Kind::ByteVariable>(
-            5, values::ByteVariable {quint8(value)}, std::chrono::steady_clock::now());
-        QCoreApplication::processEvents();
-        QCOMPARE(editor->text(), QStringLiteral("123"));
-        QCOMPARE(editor->selectedText(), QStringLiteral("2"));
-        QVERIFY(editor->hasFocus());
-    }
-    room.memory().b[5].value = 77;
-    QTRY_COMPARE(live->text(), QStringLiteral("live: 77"));
-    QTest::keyClick(editor, Qt::Key_Return);
-    QTRY_COMPARE(room.text(5), QStringLiteral("77 → 123"));
 }
 
 void TestVariablesPage::badTextIsNotTaken()
@@ -219,27 +165,6 @@ void TestVariablesPage::theNumberingTest()
     QTRY_COMPARE(room.memory().b[7].value, 9);
 }
 
-void TestVariablesPage::goesTo()
-{
-    Sheet room;
-    QVERIFY(room.open());
-    auto *goTo = room.find<QLineEdit>("goTo");
-    QTest::keyClick(room.table(), Qt::Key_G, Qt::ControlModifier);
-    QVERIFY(goTo->hasFocus());
-    const auto go = [&](const char *words) {
-        goTo->setText(QLatin1String(words));
-        QTest::keyClick(goTo, Qt::Key_Return);
-        const QModelIndex current = room.table()->currentIndex();
-        return current.data(VariableModel::ReferenceRole).toString();
-    };
-    QCOMPARE(go("P012"), QStringLiteral("P012"));
-    QCOMPARE(go("b 7"), QStringLiteral("B007"));
-    QCOMPARE(go("ex127"), QStringLiteral("EX127"));
-    QTRY_COMPARE(go("home base"), QStringLiteral("P001")); // VARNAME.DAT of the demo
-    QCOMPARE(go("B100"), QStringLiteral("P001"));
-    QVERIFY(room.find<QLabel>("sentence")->text().contains(QStringLiteral("B000 to B099")));
-}
-
 void TestVariablesPage::pastes()
 {
     Sheet room;
@@ -263,48 +188,6 @@ void TestVariablesPage::pastes()
     QVERIFY(room.apply());
     QTRY_COMPARE(room.memory().r[1].value, 1.5F);
     QCOMPARE(room.memory().i[5].value, -7);
-}
-
-void TestVariablesPage::positionsAreEdited()
-{
-    Sheet room;
-    QVERIFY(room.open());
-    room.tabs()->setCurrentIndex(5);
-    room.select(20);
-    QTest::keyClick(room.table(), Qt::Key_Return);
-    QDialog *dialog = room.dialog("positionDialog");
-    QVERIFY(dialog);
-    const auto field = [&](const char *name) { return dialog->findChild<QLineEdit *>(QLatin1String(name)); };
-    auto *stage = dialog->findChild<QPushButton *>(QStringLiteral("stageButton"));
-    dialog->findChild<QComboBox *>(QStringLiteral("type"))->setCurrentIndex(1); // base frame
-    field("axis1")->setText(QStringLiteral("812,5"));
-    field("axis2")->setText(QStringLiteral("here"));
-    QVERIFY(!stage->isEnabled());
-    field("axis2")->setText(QStringLiteral("-12.001"));
-    QVERIFY(stage->isEnabled());
-    dialog->findChild<QSpinBox *>(QStringLiteral("tool"))->setValue(3);
-    dialog->findChild<QComboBox *>(QStringLiteral("form2"))->setCurrentIndex(1); // no flip
-    room.picture(QStringLiteral("variables-position"));
-    QVERIFY(dialog->grab().save(QStringLiteral(PENDESK_PICTURES "/variables-position-dialog.png")));
-    QTest::mouseClick(stage, Qt::LeftButton);
-    QVERIFY(room.text(20).contains(QStringLiteral("812.500")));
-    QVERIFY(room.apply());
-    QTRY_VERIFY(room.memory().p[20].has_value());
-    const auto &position = room.memory().p[20]->position;
-    QCOMPARE(position.axes[0], 812500);
-    QCOMPARE(position.axes[1], -12001);
-    QCOMPARE(position.tool, 3U);
-    QCOMPARE(position.form, 4U);
-    // The present position, with its own type.
-    room.select(21);
-    QTest::keyClick(room.table(), Qt::Key_Return);
-    dialog = room.dialog("positionDialog");
-    QVERIFY(dialog);
-    QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("takeBase")), Qt::LeftButton);
-    QTRY_VERIFY2(dialog->findChild<QComboBox *>(QStringLiteral("type"))->currentData().toUInt() == 16,
-        qPrintable(dialog->findChild<QLabel *>(QStringLiteral("sentence"))->text()));
-    QTRY_VERIFY(field("axis1")->text() != u"0");
-    dialog->reject();
 }
 
 void TestVariablesPage::watchPagesAreKept()
