@@ -227,6 +227,10 @@ void TestMainWindow::everythingHasAName()
     for (const QAbstractButton *button : buttons) {
         if (qobject_cast<QLineEdit *>(button->parentWidget())) // Qt's own, to clear it
             continue;
+        const bool isOnPage = std::ranges::any_of(
+            harness.window.view().pages(), [&](const pages::Page *page) { return page->isAncestorOf(button); });
+        if (isOnPage) // see tst_accessibility
+            continue;
         QVERIFY2(!button->objectName().isEmpty(), qPrintable(button->text()));
         QVERIFY(!button->text().isEmpty() || !button->accessibleName().isEmpty() || !button->isVisible());
     }
