@@ -159,7 +159,8 @@ private:
 /// The window as it is, in light or dark.
 bool TestPictures::write(Harness &harness, const QString &name, ui::Scheme scheme)
 {
-    ui::apply(*qApp, scheme);
+    if (ui::schemeOf(QApplication::palette()) != scheme)
+        ui::apply(*qApp, scheme);
     QCoreApplication::sendPostedEvents(); // layouts, and no reads
     const QImage image = harness.window.grab().toImage();
     const QString word = scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
@@ -198,7 +199,6 @@ void TestPictures::everyPage_data()
     QTest::addColumn<QSize>("size");
     for (int i = 0; i < int(std::size(pageScenes)); ++i)
         QTest::newRow(pageScenes[i].name) << i << QStringLiteral("en") << QSize(1440, 900);
-    QTest::newRow("live, small") << 0 << QStringLiteral("en") << QSize(1024, 768);
     QTest::newRow("live, German") << 0 << QStringLiteral("de") << QSize(1440, 900);
     QTest::newRow("live, Japanese") << 0 << QStringLiteral("ja") << QSize(1440, 900);
 }
@@ -218,8 +218,7 @@ void TestPictures::everyPage()
             QStringLiteral("page-%1-%2-%3-%4")
                 .arg(QLatin1String(ui::pageCatalog()[row].id), QLatin1String(pageScenes[scene].name), language)
                 .arg(size.width());
-        for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark})
-            QVERIFY2(write(harness, name, scheme), qPrintable(name));
+        QVERIFY2(write(harness, name, ui::Scheme::Light), qPrintable(name));
     }
     QVERIFY(ui::speak(*qApp, QStringLiteral("en")));
     ui::apply(*qApp, ui::Scheme::Light);
