@@ -13,7 +13,6 @@ class TestPendesk : public QObject
 private Q_SLOTS:
     void options_data();
     void options();
-    void demoWritesPictures();
     void nobodyAnswers();
 
 private:
@@ -69,25 +68,6 @@ void TestPendesk::options()
     QCOMPARE(outcome.exitCode, exitCode);
     const QString &stream = exitCode == 0 ? outcome.out : outcome.err;
     QVERIFY2(stream.contains(says), qPrintable(stream));
-}
-
-void TestPendesk::demoWritesPictures()
-{
-    const QString pictures = m_folder.filePath(QStringLiteral("pictures"));
-    const Outcome outcome = run({QStringLiteral("--demo"), QStringLiteral("--pictures"), pictures});
-    QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.err));
-    QVERIFY2(outcome.out.contains(QStringLiteral("Mode: REMOTE PLAY")), qPrintable(outcome.out));
-    const QStringList files = QDir(pictures).entryList(QDir::Files, QDir::Name);
-    QStringList expected;
-    for (const auto *page : {"alarms", "backup", "files", "io", "jobs", "journal", "overview", "position", "registers",
-             "trend", "variables"}) {
-        for (const auto *state : {"live", "notconnected"}) {
-            for (const auto *scheme : {"dark", "light"})
-                expected << QStringLiteral("%1-%2-%3.png")
-                                .arg(QLatin1String(page), QLatin1String(state), QLatin1String(scheme));
-        }
-    }
-    QCOMPARE(files, expected);
 }
 
 void TestPendesk::nobodyAnswers()
