@@ -3844,7 +3844,7 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <translation>nicht alles wurde gelesen</translation>
         </message>
         <message>
-            <source>pendesk: no live controller within 20 s: %1.</source>
+            <source>pendesk: no live controller within 5 s: %1.</source>
             <translation>pendesk: innerhalb von 20 s keine Steuerung live: %1.</translation>
         </message>
         <message>

@@ -3807,7 +3807,7 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>すべては読み出せませんでした</translation>
         </message>
         <message>
-            <source>pendesk: no live controller within 20 s: %1.</source>
+            <source>pendesk: no live controller within 5 s: %1.</source>
             <translation>pendesk: 20秒以内にライブのコントローラが見つかりません: %1。</translation>
         </message>
         <message>

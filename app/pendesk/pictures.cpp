@@ -7,6 +7,7 @@
 #include "ui/controllerview.h"
 #include "ui/mainwindow.h"
 #include "ui/pagecatalog.h"
+#include "ui/pages/page.h"
 #include "ui/words.h"
 #include <QApplication>
 #include <QDir>
@@ -16,78 +17,114 @@ namespace pendesk {
 
 using namespace std::chrono_literals;
 
+namespace {
+
+void say(const QString &sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(sentence)); }
+
+} // namespace
+
 Pictures::Pictures(ui::MainWindow &window, const QString &folder, QObject *parent)
     : QObject(parent), m_window {window}, m_folder {folder}
 {
     m_look.setInterval(100ms);
     m_deadline.setSingleShot(true);
-    m_deadline.setInterval(20s);
+    m_deadline.setInterval(5s);
     connect(&m_look, &QTimer::timeout, this, &Pictures::look);
-    connect(&m_deadline, &QTimer::timeout, this, [this] {
-        const auto &trouble = m_window.controller().trouble();
-        const QString why = trouble ? protocol::explain(*trouble) : tr("not everything was read");
-        std::fprintf(stderr, "%s\n", qUtf8Printable(tr("pendesk: no live controller within 20 s: %1.").arg(why)));
-        end(take(QStringLiteral("checking")) ? NoAnswer : LocalFile);
-    });
+    connect(&m_deadline, &QTimer::timeout, this, &Pictures::giveUp);
 }
 
 void Pictures::start()
 {
-    if (!take(QStringLiteral("notconnected")))
+    if (!QDir().mkpath(m_folder)) {
+        say(tr("pendesk: the folder %1 cannot be made.").arg(m_folder));
+        return end(LocalFile);
+    }
+    if (!takeAll(QStringLiteral("notconnected")))
         return end(LocalFile);
     m_window.controller().open();
+    turnTo(0);
     m_look.start();
-    m_deadline.start();
 }
 
-/// Everything on the pages was read, and two seconds of the link are there to be drawn.
-bool Pictures::isLive() const
+/// Dressing takes longer than everything else, so that it is done once for all pages.
+void Pictures::dress(ui::Scheme scheme)
 {
-    const robot::Controller &controller = m_window.controller();
-    if (controller.linkState() != robot::LinkState::Monitoring || controller.statistics().seconds.size() < 2)
-        return false;
-    for (const robot::Topic topic : robot::topics::overview) {
-        const auto freshness = controller.state().freshness(topic);
-        if (freshness != robot::Freshness::Live && freshness != robot::Freshness::Refused)
-            return false;
-    }
-    return true;
+    m_scheme = scheme;
+    ui::apply(*qApp, scheme);
+}
+
+void Pictures::turnTo(int row)
+{
+    m_row = row;
+    m_window.view().openPage(row);
+    m_deadline.start();
 }
 
 void Pictures::look()
 {
     if (!isLive())
         return;
-    if (!take(QStringLiteral("live")))
+    if (!take(m_row, QStringLiteral("live")))
         return end(LocalFile);
+    if (m_row + 1 < int(ui::pageCatalog().size()))
+        return turnTo(m_row + 1);
+    if (m_scheme == ui::Scheme::Light) {
+        dress(ui::Scheme::Dark);
+        return turnTo(0);
+    }
     printStatus();
     end(Done);
 }
 
-bool Pictures::take(const QString &state)
+void Pictures::giveUp()
 {
-    if (!QDir().mkpath(m_folder))
-        std::fprintf(stderr, "%s\n", qUtf8Printable(tr("pendesk: the folder %1 cannot be made.").arg(m_folder)));
-    const auto save = [&](const char *page, const char *scheme) {
-        const QString path = QDir(m_folder).filePath(
-            QStringLiteral("%1-%2-%3.png").arg(QLatin1String(page), state, QLatin1String(scheme)));
-        if (m_window.grab().save(path))
-            return true;
-        std::fprintf(stderr, "%s\n", qUtf8Printable(tr("pendesk: %1 cannot be written.").arg(path)));
+    const auto &trouble = m_window.controller().trouble();
+    const QString why = trouble ? protocol::explain(*trouble) : tr("not everything was read");
+    say(tr("pendesk: no live controller within 5 s: %1.").arg(why));
+    end(takeAll(QStringLiteral("checking")) ? NoAnswer : LocalFile);
+}
+
+/// Everything on the page was read or refused, and two seconds of the link are there to be drawn.
+bool Pictures::isLive() const
+{
+    robot::Controller &controller = m_window.controller();
+    if (controller.linkState() != robot::LinkState::Monitoring || controller.statistics().seconds.size() < 2)
         return false;
+    const auto isRead = [&](const robot::TopicRange &range) {
+        for (int number = range.first; number <= range.last; ++number) {
+            const auto freshness = controller.state().freshness({range.kind, quint16(number)});
+            if (freshness != robot::Freshness::Live && freshness != robot::Freshness::Refused)
+                return false;
+        }
+        return true;
     };
-    const ui::Scheme before = ui::schemeOf(m_window.palette());
-    bool isSaved = true;
-    for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
-        ui::apply(*qApp, scheme);
-        for (std::size_t row = 0; isSaved && row < ui::pageCatalog().size(); ++row) {
-            m_window.view().openPage(int(row));
-            QCoreApplication::sendPostedEvents(); // layouts
-            isSaved = save(ui::pageCatalog()[row].id, scheme == ui::Scheme::Light ? "light" : "dark");
+    return std::ranges::all_of(m_window.view().pages()[m_row]->topics(), isRead);
+}
+
+/// The page in view.
+bool Pictures::take(int row, const QString &state) const
+{
+    QCoreApplication::sendPostedEvents(); // layouts
+    const QString scheme = m_scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
+    const QString id = QLatin1String(ui::pageCatalog()[std::size_t(row)].id);
+    const QString path = QDir(m_folder).filePath(QStringLiteral("%1-%2-%3.png").arg(id, state, scheme));
+    const bool isSaved = m_window.grab().save(path);
+    if (!isSaved)
+        say(tr("pendesk: %1 cannot be written.").arg(path));
+    return isSaved;
+}
+
+bool Pictures::takeAll(const QString &state)
+{
+    for (const ui::Scheme scheme : {ui::Scheme::Dark, ui::Scheme::Light}) {
+        dress(scheme);
+        for (int row = 0; row < int(ui::pageCatalog().size()); ++row) {
+            m_window.view().openPage(row);
+            if (!take(row, state))
+                return false;
         }
     }
-    ui::apply(*qApp, before);
-    return isSaved;
+    return true;
 }
 
 void Pictures::printStatus() const

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "ui/theme.h"
 #include <QObject>
-#include <QString>
 #include <QTimer>
 
 namespace ui {
@@ -12,8 +12,8 @@ class MainWindow;
 
 namespace pendesk {
 
-/// Pictures of every page, light and dark: not connected, then live as soon as everything on the page was read. The
-/// status that was read goes to the output stream. Without a live controller within 20 s there is a sentence instead.
+/// Pictures of every page, light and dark: not connected, then live, each as soon as everything on it was read. The
+/// status that was read goes to the output stream. A page that is not read within 5 s ends it with a sentence instead.
 class Pictures : public QObject
 {
     Q_OBJECT
@@ -26,14 +26,20 @@ public:
     void start();
 
 private:
+    void dress(ui::Scheme scheme);
+    void turnTo(int row);
     void look();
+    void giveUp();
     [[nodiscard]] bool isLive() const;
-    [[nodiscard]] bool take(const QString &state);
+    [[nodiscard]] bool take(int row, const QString &state) const;
+    [[nodiscard]] bool takeAll(const QString &state);
     void printStatus() const;
     void end(int exitCode);
 
     ui::MainWindow &m_window;
     QString m_folder;
+    ui::Scheme m_scheme = ui::Scheme::Light;
+    int m_row = 0; ///< In the page catalogue: the page whose picture is next.
     QTimer m_look;
     QTimer m_deadline;
 };

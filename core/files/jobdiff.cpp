@@ -33,6 +33,14 @@ Edits diffHeaders(const Job &older, const Job &newer)
     return edits;
 }
 
+/// nullopt for what is no number, or "nan" and "inf", which Qt reads as numbers.
+std::optional<double> numberOf(const QByteArray &text)
+{
+    bool isNumber = false;
+    const double number = text.toDouble(&isNumber);
+    return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
 /// The axes that differ; nullopt if the values cannot be compared number by number.
 std::optional<QList<Shift>> shiftsBetween(const TaughtPosition &older, const TaughtPosition &newer)
 {
@@ -40,14 +48,12 @@ std::optional<QList<Shift>> shiftsBetween(const TaughtPosition &older, const Tau
         return std::nullopt;
     QList<Shift> shifts;
     for (int axis = 0; axis < older.values.size(); ++axis) {
-        bool wasNumber = false;
-        bool isNumber = false;
-        const double before = older.values[axis].toDouble(&wasNumber);
-        const double after = newer.values[axis].toDouble(&isNumber);
-        if (!wasNumber || !isNumber)
+        const auto before = numberOf(older.values[axis]);
+        const auto after = numberOf(newer.values[axis]);
+        if (!before || !after)
             return std::nullopt;
-        if (before != after)
-            shifts << Shift {axis, std::round((after - before) * 1e4) / 1e4};
+        if (*before != *after)
+            shifts << Shift {axis, std::round((*after - *before) * 1e4) / 1e4};
     }
     return shifts;
 }
@@ -66,6 +72,8 @@ std::optional<JobEdit> diffPosition(const TaughtPosition &older, const TaughtPos
 {
     if (frameOf(older) != frameOf(newer))
         return JobEdit {EditKind::PositionRetyped, newer.name, -1, frameOf(older), frameOf(newer)};
+    if (older.values == newer.values)
+        return std::nullopt;
     const auto shifts = shiftsBetween(older, newer);
     if (shifts && shifts->isEmpty())
         return std::nullopt;

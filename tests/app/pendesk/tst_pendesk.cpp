@@ -13,6 +13,7 @@ class TestPendesk : public QObject
 private Q_SLOTS:
     void options_data();
     void options();
+    void demoWritesPictures();
     void nobodyAnswers();
 
 private:
@@ -70,12 +71,31 @@ void TestPendesk::options()
     QVERIFY2(stream.contains(says), qPrintable(stream));
 }
 
+void TestPendesk::demoWritesPictures()
+{
+    const QString pictures = m_folder.filePath(QStringLiteral("pictures"));
+    const Outcome outcome = run({QStringLiteral("--demo"), QStringLiteral("--pictures"), pictures});
+    QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.err));
+    QVERIFY2(outcome.out.contains(QStringLiteral("Mode: REMOTE PLAY")), qPrintable(outcome.out));
+    const QStringList files = QDir(pictures).entryList(QDir::Files, QDir::Name);
+    QStringList expected;
+    for (const auto *page : {"alarms", "backup", "files", "io", "jobs", "journal", "overview", "position", "registers",
+             "trend", "variables"}) {
+        for (const auto *state : {"live", "notconnected"}) {
+            for (const auto *scheme : {"dark", "light"})
+                expected << QStringLiteral("%1-%2-%3.png")
+                                .arg(QLatin1String(page), QLatin1String(state), QLatin1String(scheme));
+        }
+    }
+    QCOMPARE(files, expected);
+}
+
 void TestPendesk::nobodyAnswers()
 {
     const Outcome outcome = run({QStringLiteral("--host"), QStringLiteral("127.0.0.1"), QStringLiteral("--port"),
         QStringLiteral("9"), QStringLiteral("--pictures"), m_folder.filePath(QStringLiteral("none"))});
     QCOMPARE(outcome.exitCode, 3);
-    QVERIFY2(outcome.err.contains(QStringLiteral("no live controller within 20 s")), qPrintable(outcome.err));
+    QVERIFY2(outcome.err.contains(QStringLiteral("no live controller within 5 s")), qPrintable(outcome.err));
 }
 
 QTEST_GUILESS_MAIN(TestPendesk)
