@@ -26,6 +26,8 @@ public:
         QWidget *parent = nullptr);
 
     void showLink(const LinkView &link);
+    /// Marks the page that is in view, by its row of the page catalogue.
+    void showPage(int row);
 
 Q_SIGNALS:
     /// The person chose a row of the page catalogue.

@@ -230,14 +230,19 @@ void MoveSheet::showNearest()
 
 bool MoveSheet::isNamed() const { return m_name->text() == m_orders.controller().profile().name; }
 
-/// The robot is no longer where the plan begins.
+/// The robot is no longer where the plan begins, as far as it was read just now.
 bool MoveSheet::hasMovedAway() const
 {
     const auto watched = m_move->plan().watched;
     const auto present = robot::presentOf(m_orders.controller().state(), groupOf(watched));
     const auto &now = placeOf(present, watched);
-    const auto &planned = placeOf(m_present, watched);
-    return !now || !planned || !motion::isSamePlace(*now, *planned);
+    return now && !isWherePlanned(*now);
+}
+
+bool MoveSheet::isWherePlanned(const Position &position) const
+{
+    const auto &planned = placeOf(m_present, m_move->plan().watched);
+    return planned && motion::isSamePlace(position, *planned);
 }
 
 void MoveSheet::update()
@@ -270,12 +275,27 @@ void MoveSheet::keyPressEvent(QKeyEvent *event)
         move();
 }
 
+/// The place is read once more, so that the move begins where it was rehearsed.
 void MoveSheet::move()
 {
     if (!m_go->isEnabled() || std::exchange(m_isStarted, true))
         return;
     m_go->setEnabled(false);
+    m_orders.read(
+        protocol::ReadPosition {m_move->plan().watched}, this,
+        [this](const values::Result<Position> &position) { onPlace(position); }, session::Priority::Control);
+}
+
+void MoveSheet::onPlace(const values::Result<Position> &position)
+{
+    if (!position || !isWherePlanned(*position)) {
+        m_isStarted = false;
+        m_isPossible = false; // another second
+        m_outcome->setText(position ? QString() : tr("Not sent: the place could not be read."));
+        return update();
+    }
     m_name->hide();
+    m_reason->hide();
     m_close->setText(tr("Close"));
     m_move->start();
     showOutcome();

@@ -37,9 +37,11 @@ private:
     void showNearest();
     void update();
     void move();
+    void onPlace(const values::Result<values::Position> &position);
     void showOutcome();
     [[nodiscard]] bool isNamed() const;
     [[nodiscard]] bool hasMovedAway() const;
+    [[nodiscard]] bool isWherePlanned(const values::Position &position) const;
     [[nodiscard]] QString wayText() const;
     [[nodiscard]] QString boxText() const;
     [[nodiscard]] QString capText(const motion::Limits &limits) const;

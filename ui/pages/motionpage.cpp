@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/motionpage.h"
 
-#include "ui/pages/axescard.h"
 #include "ui/pages/cartesiancard.h"
 #include "ui/pages/motion/jogcard.h"
 #include "ui/pages/motion/movecard.h"
@@ -26,10 +25,10 @@ namespace {
 
 using widgets::Place;
 
-// Readiness, Jog, Tool point, Axes, Move
-constexpr Place wide[] {{0, 0, 2, 1}, {0, 1}, {0, 2}, {1, 2}, {1, 1}};
-constexpr Place middle[] {{0, 0, 2, 1}, {0, 1}, {2, 0}, {2, 1}, {1, 1}};
-constexpr Place narrow[] {{0, 0}, {1, 0}, {3, 0}, {4, 0}, {2, 0}};
+// Readiness, Jog, Tool point, Move
+constexpr Place wide[] {{0, 0, 2, 1}, {0, 1}, {0, 2}, {1, 1, 1, 2}};
+constexpr Place middle[] {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+constexpr Place narrow[] {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
 constexpr widgets::Arrangement arrangements[] {{3, wide}, {2, middle}, {1, narrow}};
 
 /// The pulse instances that the model may have (reference §2.1).
@@ -48,14 +47,13 @@ MotionPage::MotionPage(const Context &context, QWidget *parent)
       m_jog {new robot::Jog(context.orders, motion::limits(context.profile.motion), this)},
       m_group {new QComboBox},
       m_cartesian {new CartesianCard(context.state)},
-      m_axes {new AxesCard(context.state, context.profile)},
       m_jogCard {new JogCard(context, *m_jog)},
       m_move {new MoveCard(context, m_jog->limits())}
 {
     auto *board = new widgets::Board(arrangements);
     board->setObjectName(QStringLiteral("motionBoard"));
     board->add(readiness(context));
-    for (QWidget *card : QWidgetList {m_jogCard, m_cartesian, m_axes, m_move})
+    for (QWidget *card : QWidgetList {m_jogCard, m_cartesian, m_move})
         board->add(card);
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
@@ -106,8 +104,6 @@ QList<TopicRange> MotionPage::topics() const
     result << robot::topics::status;
     const auto add = [&](Kind kind, int number) { result << TopicRange(kind, number, number); };
     add(Kind::Position, instance);
-    add(Kind::FollowingError, instance);
-    add(Kind::Torque, instance);
     const int robot = instance > 20 ? 0 : instance > 10 ? instance - 10 : instance;
     if (robot == 0)
         return result;
@@ -151,7 +147,6 @@ void MotionPage::openGroup()
 {
     const ControlGroup group {quint16(m_group->currentData().toUInt())};
     m_cartesian->setGroup(group);
-    m_axes->setGroup(group);
     m_jogCard->setGroup(group);
     m_move->setGroup(group);
     Q_EMIT topicsChanged();

@@ -9,7 +9,6 @@ class QComboBox;
 
 namespace pages {
 
-class AxesCard;
 class CartesianCard;
 class JogCard;
 class MoveCard;
@@ -39,7 +38,6 @@ private:
     robot::Jog *m_jog;
     QComboBox *m_group;
     CartesianCard *m_cartesian;
-    AxesCard *m_axes;
     JogCard *m_jogCard;
     MoveCard *m_move;
     QList<values::ControlGroup> m_groups; ///< Those that answer.

@@ -158,11 +158,23 @@ QString JogCard::worstCase() const
         return tr("at most one step: %1 pulses").arg(choice.pulses);
     const double seconds = std::max(choice.length / choice.speeds.tool, choice.angle / choice.speeds.rotation);
     return tr("at most one step: %1 mm or %2°, in %3 s at most")
-        .arg(number(choice.length), number(choice.angle), number(seconds));
+        .arg(number(choice.length), number(choice.angle), QLocale().toString(seconds, 'f', 1));
+}
+
+/// What forbids a step now; that it runs itself is none of it.
+std::optional<robot::Condition> JogCard::obstacle() const
+{
+    const bool isJogging = m_jog.pressed() || m_jog.progress() != StepEngine::Progress::Idle;
+    for (const robot::Finding &finding : m_orders.findings(robot::Act::Jog)) {
+        if (finding.blocks() && !(isJogging && finding.condition == robot::Condition::NotRunning))
+            return finding.condition;
+    }
+    return std::nullopt;
 }
 
 void JogCard::showState()
 {
+    m_pad->setEnabled(m_jog.limits() && !obstacle());
     m_result->setText(stateText());
     const auto &reply = m_jog.lastReply();
     const bool isFine = m_jog.complaint().isEmpty() && (!reply || *reply) && m_jog.limits();
@@ -188,9 +200,8 @@ QString JogCard::stateText() const
     }
     if (m_jog.stepsSent() > 0)
         return tr("%n step(s), at rest.", nullptr, m_jog.stepsSent());
-    if (const auto obstacle = m_orders.obstacle(robot::Act::Jog))
-        return ui::reason(*obstacle, model);
-    return tr("None yet.");
+    const auto forbids = obstacle();
+    return forbids ? ui::reason(*forbids, model) : tr("None yet.");
 }
 
 } // namespace pages

@@ -35,6 +35,7 @@ private:
     void showAxes();
     void showState();
     [[nodiscard]] motion::JogFrame frame() const;
+    [[nodiscard]] std::optional<robot::Condition> obstacle() const;
     [[nodiscard]] QString worstCase() const;
     [[nodiscard]] QString stateText() const;
 

@@ -31,6 +31,7 @@ namespace {
 
 constexpr int mostFrames = 63;
 constexpr int historySize = 12;
+constexpr int targetWidth = 140; ///< Pixels.
 
 QLabel *label(const QString &words) { return widgets::text(words, ui::Type::Label, ui::Role::Text2); }
 
@@ -108,8 +109,11 @@ MoveCard::MoveCard(const Context &context, const Result<motion::Limits> &limits,
     connect(m_move, &widgets::OrderButton::clicked, this, &MoveCard::rehearse);
     connect(&m_edits, &robot::Edits::applied, this, &MoveCard::onEditsApplied);
     connect(&m_state, &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
-        if (range.kind == Kind::Position)
-            showRows();
+        if (range.kind != Kind::Position)
+            return;
+        if (m_rows.first().target->text().isEmpty())
+            fillWithPresent(); // the first one that was read
+        showRows();
     });
     onKindChanged();
 }
@@ -141,7 +145,8 @@ QWidget *MoveCard::axes()
         grid->addWidget(label(head), 0, column++, Qt::AlignRight);
     for (int axis = 0; axis < values::maxAxes; ++axis)
         addRow(grid, axis);
-    grid->setColumnStretch(2, 1);
+    grid->setColumnStretch(5, 1);
+    grid->setHorizontalSpacing(12);
     return holding(grid);
 }
 
@@ -153,6 +158,7 @@ void MoveCard::addRow(QGridLayout *grid, int axis)
     row.now->setObjectName(QStringLiteral("moveNow%1").arg(axis + 1));
     row.target->setObjectName(QStringLiteral("moveTarget%1").arg(axis + 1));
     row.target->setAlignment(Qt::AlignRight);
+    row.target->setMaximumWidth(targetWidth);
     row.change->setObjectName(QStringLiteral("moveChange%1").arg(axis + 1));
     int column = 0;
     for (QWidget *cell : QWidgetList {row.name, row.now, row.target, row.change, row.unit}) {
