@@ -80,7 +80,7 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("moveSheet"));
     setWindowTitle(tr("Move at %1").arg(orders.controller().profile().name));
-    setMinimumWidth(520);
+    setMinimumWidth(680); // a place in one line
     makeWidgets();
     showPlan(present, limits);
     const int points = orders.controller().profile().dialect().positionVariables;

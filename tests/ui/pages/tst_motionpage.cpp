@@ -102,6 +102,7 @@ class TestMotionPage : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase() { ui::apply(*qApp, ui::Scheme::Light); }
     void init() { QLocale::setDefault(QLocale::c()); }
     void closedAndSaysWhy_data();
     void closedAndSaysWhy();
