@@ -30,12 +30,14 @@ struct Room {
     {
         profile.readTimeout = std::chrono::milliseconds {1000}; // the computer may be busy
         harness.window.show();
-        harness.window.activateWindow();
         harness.window.connectTo(profile);
         harness.access.enter(robot::Level::Engineer);
         page = harness.window.view().findChild<pages::Page *>(QLatin1String(id) + QStringLiteral("Page"));
         harness.window.view().openPage(int(harness.window.view().pages().indexOf(page)));
         if (!page || !QTest::qWaitForWindowExposed(&harness.window))
+            return false;
+        harness.window.activateWindow(); // keys go where the focus is
+        if (!QTest::qWaitForWindowActive(&harness.window))
             return false;
         return QTest::qWaitFor(
             [this] { return harness.window.controller().linkState() == robot::LinkState::Monitoring && isLive(); });

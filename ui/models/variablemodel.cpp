@@ -116,7 +116,6 @@ VariableModel::Cell VariableModel::cell(const QModelIndex &index) const
     case Previous: return {text(m_desk.history.of(variable).previous), int(ui::Role::Text2)};
     case Changed: {
         const QDateTime changed = m_desk.history.of(variable).changed;
-        const QString time = changed.isValid() ? QLocale().toString(changed.time(), QLocale::LongFormat) : QString();
         return {changed.isValid() ? changed.time().toString(QStringLiteral("HH:mm:ss")) : widgets::dash(),
             int(ui::Role::Text2)};
     }

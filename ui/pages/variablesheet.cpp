@@ -175,7 +175,7 @@ void VariableSheet::setNote(const QString &note) { m_note->setText(note); }
 
 bool VariableSheet::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched != m_table || event->type() != QEvent::KeyPress)
+    if (watched != m_table || event->type() != QEvent::KeyPress || m_table->isEditing())
         return QWidget::eventFilter(watched, event);
     const auto *key = static_cast<QKeyEvent *>(event);
     if (key->matches(QKeySequence::Copy))
