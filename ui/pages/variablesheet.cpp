@@ -52,6 +52,7 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
     const auto check = [this](
                            const QModelIndex &index, const QString &typed) { return m_model->complaint(index, typed); };
     m_table->setObjectName(QStringLiteral("variableTable"));
+    m_table->setAccessibleName(act == robot::Act::WriteRegister ? tr("Registers") : tr("Variables"));
     m_table->setItemDelegate(new widgets::ValueDelegate({VariableModel::Value, VariableModel::Note},
         {VariableModel::LiveTextRole, VariableModel::RangeTextRole}, check, this));
     m_table->setEditingHeight(VariableModel::Value, widgets::ValueDelegate::editingHeight);

@@ -86,6 +86,7 @@ QWidget *ValueDelegate::createEditor(
     if (index.column() != m_columns.value) {
         auto *field = new QLineEdit(index.data(Qt::EditRole).toString(), parent);
         field->setObjectName(QStringLiteral("textEditor"));
+        field->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
         return field;
     }
     const auto check = [this, at = QPersistentModelIndex(index)](
