@@ -33,11 +33,11 @@ struct Room {
         harness.window.connectTo(profile);
         harness.access.enter(robot::Level::Engineer);
         page = harness.window.view().findChild<pages::Page *>(QLatin1String(id) + QStringLiteral("Page"));
-        harness.window.view().openPage(int(harness.window.view().pages().indexOf(page)));
-        if (!page || !QTest::qWaitForWindowExposed(&harness.window))
+        auto *entry = harness.window.findChild<QPushButton *>(QLatin1String(id) + QStringLiteral("Entry"));
+        if (!page || !entry || !QTest::qWaitForWindowExposed(&harness.window))
             return false;
-        harness.window.activateWindow(); // keys go where the focus is
-        if (!QTest::qWaitForWindowActive(&harness.window))
+        QTest::mouseClick(entry, Qt::LeftButton);
+        if (!activate()) // keys go where the focus is
             return false;
         return QTest::qWaitFor(
             [this] { return harness.window.controller().linkState() == robot::LinkState::Monitoring && isLive(); });
@@ -49,6 +49,12 @@ struct Room {
     template <typename Widget> [[nodiscard]] Widget *find(const char *name) const
     {
         return page->findChild<Widget *>(QLatin1String(name));
+    }
+    /// The window in front, as the desktop would put it after a dialog.
+    [[nodiscard]] bool activate()
+    {
+        harness.window.activateWindow();
+        return QTest::qWaitForWindowActive(&harness.window);
     }
     [[nodiscard]] QDialog *dialog(const char *name) const
     {

@@ -40,15 +40,17 @@ ApplyDialog::ApplyDialog(
     setModal(true);
     setObjectName(QStringLiteral("applyDialog"));
     setWindowTitle(tr("Apply — %1").arg(controller));
-    resize(560, 420);
     const auto list = edits.staged().toApply();
+    const bool hasPositions =
+        std::ranges::any_of(list, [](const variables::Edit &edit) { return isPosition(edit.variable.kind); });
+    resize(hasPositions ? 1160 : 560, 420);
     auto *table = new widgets::Table;
     table->setObjectName(QStringLiteral("applyTable"));
     table->setAccessibleName(tr("What will be written"));
     table->setModel(modelOf(list, format, this));
     table->verticalHeader()->hide();
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setColumnWidth(1, 180);
+    table->setColumnWidth(1, hasPositions ? 520 : 180);
     table->horizontalHeader()->setStretchLastSection(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto *apply = buttons->addButton(tr("Write %n value(s)", nullptr, int(list.size())), QDialogButtonBox::AcceptRole);

@@ -143,14 +143,23 @@ VariableModel::Cell VariableModel::valueCell(const Reference &variable) const
     return {text(isStale ? reading.value : std::nullopt), int(ui::Role::Text3), -1, isStale};
 }
 
+/// A position fills the cell: of two only the one that matters stands there, both are in the tool tip.
 VariableModel::Cell VariableModel::editCell(const Edit &edit) const
 {
+    const bool isMismatch = edit.state == EditState::Mismatch;
+    const QString words = !variables::isPosition(edit.variable.kind) ? editWords(edit)
+        : isMismatch                                                 ? tr("reads %1").arg(text(edit.readBack))
+                                                                     : tr("→ %1", "new value").arg(text(edit.value));
+    return {words, int(isMismatch ? ui::Role::Alarm : ui::Role::Amber),
+        int(isMismatch ? ui::Role::AlarmGround : ui::Role::AmberGround)};
+}
+
+QString VariableModel::editWords(const Edit &edit) const
+{
     if (edit.state == EditState::Mismatch)
-        return {tr("wrote %1, reads %2").arg(text(edit.value), text(edit.readBack)), int(ui::Role::Alarm),
-            int(ui::Role::AlarmGround)};
+        return tr("wrote %1, reads %2").arg(text(edit.value), text(edit.readBack));
     const QString was = text(edit.state == EditState::Staged ? readingOf(m_desk.state, edit.variable).value : edit.was);
-    return {tr("%1 → %2", "old and new value").arg(was, text(edit.value)), int(ui::Role::Amber),
-        int(ui::Role::AmberGround)};
+    return tr("%1 → %2", "old and new value").arg(was, text(edit.value));
 }
 
 QString VariableModel::editNote(const Edit &edit) const
@@ -204,9 +213,12 @@ QString VariableModel::toolTip(const QModelIndex &index) const
         return isLocal && !own.isEmpty() ? tr("The controller calls it “%1”.").arg(own) : QString();
     }
     case Value:
+        if (const Edit *edit = m_desk.edits.staged().find(variable))
+            return editWords(*edit);
         if (reading.freshness == Freshness::Stale)
             return widgets::lastSeen(reading.clock);
         return reading.refusal ? protocol::explain(*reading.refusal) : cell(index).text;
+    case Previous:
     case Note: return cell(index).text;
     default: return {};
     }

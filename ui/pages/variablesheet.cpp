@@ -119,7 +119,9 @@ void VariableSheet::show(VariableModel *model)
     m_model = model;
     m_table->setModel(model);
     auto *head = m_table->horizontalHeader();
-    const int widths[] {80, 230, model->rowCount() > 0 && isPosition(model->at(0).kind) ? 420 : 200, 130, 90};
+    const auto isLong = [](const Reference &variable) { return isPosition(variable.kind); };
+    const bool hasPositions = std::ranges::any_of(model->variables(), isLong);
+    const int widths[] {80, hasPositions ? 140 : 230, hasPositions ? 570 : 200, hasPositions ? 90 : 130, 90};
     for (int column = 0; column < int(std::size(widths)); ++column)
         head->resizeSection(column, widths[column]);
     head->setStretchLastSection(true);

@@ -28,6 +28,14 @@ struct Sheet : Room {
     {
         return table()->model()->index(row, column).data().toString();
     }
+    /// Every row in view is live, or was refused.
+    [[nodiscard]] bool isSettled() const
+    {
+        return std::ranges::all_of(page->topics(), [this](const robot::TopicRange &range) {
+            const auto freshness = harness.state().freshness({range.kind, range.first});
+            return freshness == robot::Freshness::Live || freshness == robot::Freshness::Refused;
+        });
+    }
     void select(int row) const
     {
         table()->setFocus();
@@ -422,26 +430,30 @@ void TestVariablesPage::pictures()
     QTRY_COMPARE(room.text(7), QStringLiteral("40"));
     room.type(2, QStringLiteral("5"));
     room.type(7, QStringLiteral("41"));
+    QTRY_VERIFY(room.isSettled());
     room.picture(name("staged"));
     // A job of the controller writes B007 as well.
     auto &orders = room.harness.window.view().orders();
     connect(&orders, &robot::Orders::recorded, this, [&room] { room.memory().b[7].value = 40; });
     QVERIFY(room.apply());
     QTRY_VERIFY2(room.text(7).contains(QStringLiteral("reads 40")), qPrintable(room.text(7)));
+    QVERIFY(room.activate());
     room.select(4);
     QTest::keyClick(room.table(), Qt::Key_Return);
     auto *editor = room.table()->findChild<QLineEdit *>(QStringLiteral("cellEditor"));
     QVERIFY(editor);
     editor->setText(QStringLiteral("18"));
+    QTRY_VERIFY(room.isSettled());
     room.picture(name("mismatch"));
     QTest::keyClick(editor, Qt::Key_Escape);
     for (int tab = 0; tab < room.tabs()->count(); ++tab) {
         room.tabs()->setCurrentIndex(tab);
-        QTRY_VERIFY(room.harness.state().freshness({room.page->topics().first().kind, 0}) != robot::Freshness::Unknown);
+        QTRY_VERIFY(room.isSettled());
         room.picture(name(qPrintable(room.tabs()->tabText(tab))));
     }
     room.tabs()->setCurrentIndex(0);
     room.harness.window.resize(1024, 768);
+    QTRY_VERIFY(room.isSettled());
     room.picture(name("small"));
     room.harness.window.resize(1440, 900);
     room.harness.stopController();
