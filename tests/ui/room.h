@@ -65,14 +65,16 @@ struct Room {
         return nullptr;
     }
     void click(const char *name) const { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
-    void picture(const QString &name)
+    /// Of the window, or of a dialog.
+    void picture(const QString &name, QWidget *what = nullptr)
     {
         for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
             ui::apply(*qApp, scheme);
             QCoreApplication::sendPostedEvents();
             const QString mode = scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
-            QVERIFY(harness.window.grab().save(
-                QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, mode)));
+            QVERIFY((what ? what : &harness.window)
+                        ->grab()
+                        .save(QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, mode)));
         }
         ui::apply(*qApp, ui::Scheme::Light);
     }

@@ -14,6 +14,16 @@ using variables::Edit;
 using variables::EditState;
 using variables::Reference;
 
+namespace {
+
+/// Why there is no value stands where a position would stand: there is room, and one that was never taught is no fault.
+bool isRefusedHere(const robot::VariableReading &reading, const Reference &variable)
+{
+    return isPosition(variable.kind) && reading.freshness == Freshness::Refused && reading.refusal;
+}
+
+} // namespace
+
 VariableModel::VariableModel(const VariableDesk &desk, QList<Reference> variables, QObject *parent)
     : QAbstractTableModel(parent), m_desk {desk}, m_variables {std::move(variables)}
 {
@@ -103,7 +113,10 @@ QVariant VariableModel::headerData(int section, Qt::Orientation orientation, int
 
 QString VariableModel::text(const std::optional<variables::Value> &value) const
 {
-    return value ? toText(*value, m_desk.format) : widgets::dash();
+    if (!value)
+        return widgets::dash();
+    const QString words = toText(*value, m_desk.format);
+    return words.isEmpty() ? tr("(empty)") : words;
 }
 
 VariableModel::Cell VariableModel::cell(const QModelIndex &index) const
@@ -139,6 +152,8 @@ VariableModel::Cell VariableModel::valueCell(const Reference &variable) const
     const auto reading = readingOf(m_desk.state, variable);
     if (reading.freshness == Freshness::Live && reading.value)
         return {text(reading.value)};
+    if (isRefusedHere(reading, variable))
+        return {protocol::explain(*reading.refusal), int(ui::Role::Text2)};
     const bool isStale = reading.freshness == Freshness::Stale && reading.value;
     return {text(isStale ? reading.value : std::nullopt), int(ui::Role::Text3), -1, isStale};
 }
@@ -182,7 +197,7 @@ VariableModel::Cell VariableModel::noteCell(const Reference &variable) const
         return {editNote(*edit), int(isMismatch ? ui::Role::Alarm : ui::Role::Amber)};
     }
     const auto reading = readingOf(m_desk.state, variable);
-    if (reading.freshness == Freshness::Refused && reading.refusal)
+    if (reading.freshness == Freshness::Refused && reading.refusal && !isRefusedHere(reading, variable))
         return {protocol::explain(*reading.refusal), int(ui::Role::Amber)};
     return {m_desk.book.remark(variable), int(ui::Role::Text2)};
 }
