@@ -17,6 +17,7 @@ namespace {
 
 constexpr auto watchPeriod = 50ms;
 constexpr auto statisticsPeriod = 500ms;
+constexpr auto standstill = 250ms; ///< Of this program itself, such as a long paint.
 constexpr auto resolvePause = 2s;
 constexpr int statusMissesUntilLost = 3;
 
@@ -67,7 +68,12 @@ Controller::Controller(settings::Profile profile, QObject *parent)
       m_linkStateSince {QDateTime::currentDateTime()}
 {
     connect(m_poller, &Poller::finished, this, &Controller::onFinished);
-    connect(&m_watch, &QTimer::timeout, this, &Controller::watch);
+    connect(&m_watch, &QTimer::timeout, this, [this, last = Time {}]() mutable {
+        const Time at = now();
+        if (const auto pause = at - std::exchange(last, at); pause > standstill)
+            m_lastStatus += pause; // the controller was not asked: its silence says nothing
+        watch();
+    });
     connect(&m_statisticsTimer, &QTimer::timeout, this, &Controller::statisticsChanged);
 }
 

@@ -23,6 +23,8 @@ public:
 
     [[nodiscard]] const variables::StagedEdits &staged() const { return m_staged; }
     [[nodiscard]] bool isApplying() const { return m_isApplying; }
+    /// The value that was read last; nullopt if none was.
+    [[nodiscard]] std::optional<variables::Value> now(const variables::Reference &variable) const;
 
     void stage(const variables::Reference &variable, const variables::Value &value);
     void stage(const QList<variables::Difference> &differences);
@@ -49,7 +51,6 @@ private:
     void finish();
     [[nodiscard]] quint16 instanceOf(const variables::Reference &variable) const;
     [[nodiscard]] Order orderOf(const variables::Edit &edit) const;
-    [[nodiscard]] std::optional<variables::Value> now(const variables::Reference &variable) const;
 
     Orders &m_orders;
     variables::Format m_format;

@@ -96,9 +96,6 @@ Result<void> takeParts(Position &position, const Row &row)
     return {};
 }
 
-/// How many axes must be given where nothing stands yet.
-int axesOf(Kind kind) { return kind == Kind::P ? 6 : kind == Kind::BP ? 3 : 1; }
-
 Result<void> takeAxes(Position &position, const Row &row)
 {
     for (int axis = 0; axis < values::maxAxes; ++axis) {
@@ -114,9 +111,10 @@ Result<void> takeAxes(Position &position, const Row &row)
     return {};
 }
 
+/// Where nothing stands yet, the axes must be given.
 Result<void> checkAxesGiven(Kind kind, const Row &row)
 {
-    for (int axis = 0; axis < axesOf(kind); ++axis) {
+    for (int axis = 0; axis < usualAxes(kind); ++axis) {
         if (row[axisColumn(axis)].isEmpty())
             return failure(ErrorKind::BadInput,
                 Sentences::tr("%1 is missing, and no value of this type was read.").arg(axisColumn(axis)));

@@ -58,7 +58,7 @@ QString positionText(const Value &value, const Format &format)
     const values::Position position = *positionOf(value);
     QStringList parts {values::toString(position.type)};
     int last = position.axes.count();
-    while (last > 1 && position.axes[last - 1] == 0)
+    while (last > usualAxes(kindOf(value)) && position.axes[last - 1] == 0)
         --last;
     for (int axis = 0; axis < last; ++axis) {
         const QString number = axisText(position.axes[axis], axisUnit(position.type, axis), format.locale);

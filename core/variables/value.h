@@ -26,6 +26,8 @@ template <Kind kind> using ValueOf = std::variant_alternative_t<std::size_t(kind
 [[nodiscard]] std::optional<values::Position> positionOf(const Value &value);
 /// The value of this kind with these parts; `kind` is P, BP or EX. All eight axes stand in it.
 [[nodiscard]] Value valueWith(Kind kind, values::Position position);
+/// How many axes a position of this kind has at least: those of an arm, a base, a station.
+constexpr int usualAxes(Kind kind) { return kind == Kind::P ? 6 : kind == Kind::BP ? 3 : 1; }
 /// The types that a variable of this kind may have (reference §4.4).
 [[nodiscard]] QList<values::PositionType> positionTypes(Kind kind);
 

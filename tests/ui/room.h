@@ -30,12 +30,14 @@ struct Room {
     {
         profile.readTimeout = std::chrono::milliseconds {1000}; // the computer may be busy
         harness.window.show();
-        harness.window.activateWindow();
         harness.window.connectTo(profile);
         harness.access.enter(robot::Level::Engineer);
         page = harness.window.view().findChild<pages::Page *>(QLatin1String(id) + QStringLiteral("Page"));
-        harness.window.view().openPage(int(harness.window.view().pages().indexOf(page)));
-        if (!page || !QTest::qWaitForWindowExposed(&harness.window))
+        auto *entry = harness.window.findChild<QPushButton *>(QLatin1String(id) + QStringLiteral("Entry"));
+        if (!page || !entry || !QTest::qWaitForWindowExposed(&harness.window))
+            return false;
+        QTest::mouseClick(entry, Qt::LeftButton);
+        if (!activate()) // keys go where the focus is
             return false;
         return QTest::qWaitFor(
             [this] { return harness.window.controller().linkState() == robot::LinkState::Monitoring && isLive(); });
@@ -48,6 +50,12 @@ struct Room {
     {
         return page->findChild<Widget *>(QLatin1String(name));
     }
+    /// The window in front, as the desktop would put it after a dialog.
+    [[nodiscard]] bool activate()
+    {
+        harness.window.activateWindow();
+        return QTest::qWaitForWindowActive(&harness.window);
+    }
     [[nodiscard]] QDialog *dialog(const char *name) const
     {
         for (auto *one : harness.window.findChildren<QDialog *>(QLatin1String(name))) {
@@ -57,14 +65,16 @@ struct Room {
         return nullptr;
     }
     void click(const char *name) const { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
-    void picture(const QString &name)
+    /// Of the window, or of a dialog.
+    void picture(const QString &name, QWidget *what = nullptr)
     {
         for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
             ui::apply(*qApp, scheme);
             QCoreApplication::sendPostedEvents();
             const QString mode = scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
-            QVERIFY(harness.window.grab().save(
-                QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, mode)));
+            QVERIFY((what ? what : &harness.window)
+                        ->grab()
+                        .save(QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, mode)));
         }
         ui::apply(*qApp, ui::Scheme::Light);
     }

@@ -78,7 +78,8 @@ QStringList withoutObjectName(const QWidget &page)
 {
     QStringList result;
     for (const QWidget *widget : page.findChildren<QWidget *>()) {
-        const bool isPart = qobject_cast<QComboBox *>(widget->parentWidget())
+        const bool isPart = widget->window() != page.window() // the list of a combo box
+            || qobject_cast<QComboBox *>(widget->parentWidget())
             || qobject_cast<QAbstractSpinBox *>(widget->parentWidget())
             || qobject_cast<QAbstractItemView *>(widget->parentWidget())
             || qobject_cast<QLineEdit *>(widget->parentWidget()) || qobject_cast<QTabBar *>(widget->parentWidget());
@@ -124,9 +125,7 @@ private Q_SLOTS:
         QFile file(QStringLiteral("%1/%2-aloud.txt").arg(QStringLiteral(PENDESK_PICTURES), page->objectName()));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(reader.lines.join(u'\n').toUtf8());
-        for (const auto *owing : {"alarms", "io", "registers", "variables", "trend", "files", "backup", "journal"})
-            QEXPECT_FAIL(owing, "A control of this page still has no name.", Continue);
-        QCOMPARE(reader.nameless + withoutObjectName(*page), QStringList());
+        QCOMPARE((reader.nameless + withoutObjectName(*page)).join(u", "), QString());
     }
 
     void stripAndRailReadAloud()
@@ -134,7 +133,7 @@ private Q_SLOTS:
         Reader reader;
         reader.read(QAccessible::queryAccessibleInterface(&m_harness.window));
         QVERIFY(!reader.lines.isEmpty());
-        QCOMPARE(reader.nameless, QStringList());
+        QCOMPARE(reader.nameless.join(u", "), QString());
     }
 
 private:

@@ -14,13 +14,14 @@ namespace dialogs {
 
 namespace {
 
-QStandardItemModel *modelOf(const QList<variables::Edit> &edits, const variables::Format &format, QObject *parent)
+QStandardItemModel *modelOf(const robot::Edits &edits, const variables::Format &format, QObject *parent)
 {
     auto *model = new QStandardItemModel(0, 3, parent);
     model->setHorizontalHeaderLabels(
         {ApplyDialog::tr("Variable"), ApplyDialog::tr("Old value"), ApplyDialog::tr("New value")});
-    for (const auto &edit : edits) {
-        const QString was = edit.was ? toText(*edit.was, format) : widgets::dash();
+    for (const auto &edit : edits.staged().toApply()) {
+        const auto now = edits.now(edit.variable);
+        const QString was = now ? toText(*now, format) : widgets::dash();
         QList<QStandardItem *> row;
         for (const QString &text : {toString(edit.variable), was, toText(edit.value, format)})
             row << new QStandardItem(text);
@@ -40,15 +41,17 @@ ApplyDialog::ApplyDialog(
     setModal(true);
     setObjectName(QStringLiteral("applyDialog"));
     setWindowTitle(tr("Apply — %1").arg(controller));
-    resize(560, 420);
     const auto list = edits.staged().toApply();
+    const bool hasPositions =
+        std::ranges::any_of(list, [](const variables::Edit &edit) { return isPosition(edit.variable.kind); });
+    resize(hasPositions ? 1160 : 560, 420);
     auto *table = new widgets::Table;
     table->setObjectName(QStringLiteral("applyTable"));
     table->setAccessibleName(tr("What will be written"));
-    table->setModel(modelOf(list, format, this));
+    table->setModel(modelOf(edits, format, this));
     table->verticalHeader()->hide();
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setColumnWidth(1, 180);
+    table->setColumnWidth(1, hasPositions ? 520 : 180);
     table->horizontalHeader()->setStretchLastSection(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto *apply = buttons->addButton(tr("Write %n value(s)", nullptr, int(list.size())), QDialogButtonBox::AcceptRole);

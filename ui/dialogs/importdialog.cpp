@@ -16,7 +16,8 @@ using variables::Preview;
 
 namespace {
 
-widgets::Table *tableOf(const QString &name, const QStringList &head, const QList<QStringList> &rows)
+widgets::Table *tableOf(
+    const QString &name, const QString &title, const QStringList &head, const QList<QStringList> &rows)
 {
     auto *table = new widgets::Table;
     auto *model = new QStandardItemModel(0, int(head.size()), table);
@@ -28,6 +29,7 @@ widgets::Table *tableOf(const QString &name, const QStringList &head, const QLis
         model->appendRow(row);
     }
     table->setObjectName(name);
+    table->setAccessibleName(title);
     table->setModel(model);
     table->verticalHeader()->hide();
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -82,12 +84,13 @@ ImportDialog::ImportDialog(
             ui::Role::Amber);
         reason->setObjectName(QStringLiteral("problemSentence"));
         column->addWidget(reason);
-        column->addWidget(
-            tableOf(QStringLiteral("problemTable"), {tr("Line"), tr("What is wrong")}, problemRows(preview)), 1);
+        column->addWidget(tableOf(QStringLiteral("problemTable"), tr("Lines that cannot be read"),
+                              {tr("Line"), tr("What is wrong")}, problemRows(preview)),
+            1);
     }
     column->addWidget(
-        tableOf(QStringLiteral("differenceTable"), {tr("Line"), tr("Variable"), tr("Old value"), tr("New value")},
-            differenceRows(preview, format)),
+        tableOf(QStringLiteral("differenceTable"), tr("Values that would change"),
+            {tr("Line"), tr("Variable"), tr("Old value"), tr("New value")}, differenceRows(preview, format)),
         1);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -24,6 +24,7 @@ using variables::Kind;
 namespace {
 
 constexpr int mostFrames = 63;
+constexpr int firstFormRow = 3; ///< Under tool and frame and a heading.
 
 QLabel *label(const QString &words) { return widgets::text(words, ui::Type::Label, ui::Role::Text2); }
 
@@ -131,7 +132,7 @@ void PositionDialog::addForm(QGridLayout *grid, std::span<const values::FormBit>
         box->setObjectName(prefix + QString::number(boxes.size()));
         box->setAccessibleName(tr("%1 or %2").arg(word(bit.off), word(bit.on)));
         boxes << box;
-        const int row = 2 + int(boxes.size() - 1);
+        const int row = firstFormRow + int(boxes.size() - 1);
         grid->addWidget(box, row, &boxes == &m_form ? 0 : 1);
     }
 }
@@ -150,6 +151,8 @@ QWidget *PositionDialog::partFields()
     grid->addWidget(label(tr("User frame")), 0, 1);
     grid->addWidget(m_tool, 1, 0);
     grid->addWidget(m_frame, 1, 1);
+    grid->addWidget(label(tr("Form")), firstFormRow - 1, 0);
+    grid->addWidget(label(tr("Extended form")), firstFormRow - 1, 1);
     addForm(grid, values::formBits(), m_form);
     addForm(grid, values::extendedFormBits(), m_extendedForm);
     grid->setRowStretch(grid->rowCount(), 1);

@@ -14,6 +14,16 @@ using variables::Edit;
 using variables::EditState;
 using variables::Reference;
 
+namespace {
+
+/// Why there is no value stands where a position would stand: there is room, and one that was never taught is no fault.
+bool isRefusedHere(const robot::VariableReading &reading, const Reference &variable)
+{
+    return isPosition(variable.kind) && reading.freshness == Freshness::Refused && reading.refusal;
+}
+
+} // namespace
+
 VariableModel::VariableModel(const VariableDesk &desk, QList<Reference> variables, QObject *parent)
     : QAbstractTableModel(parent), m_desk {desk}, m_variables {std::move(variables)}
 {
@@ -103,7 +113,10 @@ QVariant VariableModel::headerData(int section, Qt::Orientation orientation, int
 
 QString VariableModel::text(const std::optional<variables::Value> &value) const
 {
-    return value ? toText(*value, m_desk.format) : widgets::dash();
+    if (!value)
+        return widgets::dash();
+    const QString words = toText(*value, m_desk.format);
+    return words.isEmpty() ? tr("(empty)") : words;
 }
 
 VariableModel::Cell VariableModel::cell(const QModelIndex &index) const
@@ -116,7 +129,6 @@ VariableModel::Cell VariableModel::cell(const QModelIndex &index) const
     case Previous: return {text(m_desk.history.of(variable).previous), int(ui::Role::Text2)};
     case Changed: {
         const QDateTime changed = m_desk.history.of(variable).changed;
-        const QString time = changed.isValid() ? QLocale().toString(changed.time(), QLocale::LongFormat) : QString();
         return {changed.isValid() ? changed.time().toString(QStringLiteral("HH:mm:ss")) : widgets::dash(),
             int(ui::Role::Text2)};
     }
@@ -140,18 +152,29 @@ VariableModel::Cell VariableModel::valueCell(const Reference &variable) const
     const auto reading = readingOf(m_desk.state, variable);
     if (reading.freshness == Freshness::Live && reading.value)
         return {text(reading.value)};
+    if (isRefusedHere(reading, variable))
+        return {protocol::explain(*reading.refusal), int(ui::Role::Text2)};
     const bool isStale = reading.freshness == Freshness::Stale && reading.value;
     return {text(isStale ? reading.value : std::nullopt), int(ui::Role::Text3), -1, isStale};
 }
 
+/// A position fills the cell: of two only the one that matters stands there, both are in the tool tip.
 VariableModel::Cell VariableModel::editCell(const Edit &edit) const
 {
+    const bool isMismatch = edit.state == EditState::Mismatch;
+    const QString words = !variables::isPosition(edit.variable.kind) ? editWords(edit)
+        : isMismatch                                                 ? tr("reads %1").arg(text(edit.readBack))
+                                                                     : tr("→ %1", "new value").arg(text(edit.value));
+    return {words, int(isMismatch ? ui::Role::Alarm : ui::Role::Amber),
+        int(isMismatch ? ui::Role::AlarmGround : ui::Role::AmberGround)};
+}
+
+QString VariableModel::editWords(const Edit &edit) const
+{
     if (edit.state == EditState::Mismatch)
-        return {tr("wrote %1, reads %2").arg(text(edit.value), text(edit.readBack)), int(ui::Role::Alarm),
-            int(ui::Role::AlarmGround)};
+        return tr("wrote %1, reads %2").arg(text(edit.value), text(edit.readBack));
     const QString was = text(edit.state == EditState::Staged ? readingOf(m_desk.state, edit.variable).value : edit.was);
-    return {tr("%1 → %2", "old and new value").arg(was, text(edit.value)), int(ui::Role::Amber),
-        int(ui::Role::AmberGround)};
+    return tr("%1 → %2", "old and new value").arg(was, text(edit.value));
 }
 
 QString VariableModel::editNote(const Edit &edit) const
@@ -174,7 +197,7 @@ VariableModel::Cell VariableModel::noteCell(const Reference &variable) const
         return {editNote(*edit), int(isMismatch ? ui::Role::Alarm : ui::Role::Amber)};
     }
     const auto reading = readingOf(m_desk.state, variable);
-    if (reading.freshness == Freshness::Refused && reading.refusal)
+    if (reading.freshness == Freshness::Refused && reading.refusal && !isRefusedHere(reading, variable))
         return {protocol::explain(*reading.refusal), int(ui::Role::Amber)};
     return {m_desk.book.remark(variable), int(ui::Role::Text2)};
 }
@@ -205,9 +228,12 @@ QString VariableModel::toolTip(const QModelIndex &index) const
         return isLocal && !own.isEmpty() ? tr("The controller calls it “%1”.").arg(own) : QString();
     }
     case Value:
+        if (const Edit *edit = m_desk.edits.staged().find(variable))
+            return editWords(*edit);
         if (reading.freshness == Freshness::Stale)
             return widgets::lastSeen(reading.clock);
         return reading.refusal ? protocol::explain(*reading.refusal) : cell(index).text;
+    case Previous:
     case Note: return cell(index).text;
     default: return {};
     }

@@ -72,6 +72,7 @@ private:
     [[nodiscard]] Cell cell(const QModelIndex &index) const;
     [[nodiscard]] Cell valueCell(const variables::Reference &variable) const;
     [[nodiscard]] Cell editCell(const variables::Edit &edit) const;
+    [[nodiscard]] QString editWords(const variables::Edit &edit) const;
     [[nodiscard]] Cell nameCell(const variables::Reference &variable) const;
     [[nodiscard]] Cell noteCell(const variables::Reference &variable) const;
     [[nodiscard]] QString editNote(const variables::Edit &edit) const;

@@ -67,6 +67,7 @@ IoPage::IoPage(const Context &context, QWidget *parent)
       m_watchTable {new widgets::Table}
 {
     m_table->setObjectName(QStringLiteral("ioTable"));
+    m_table->setAccessibleName(tr("Signals"));
     m_table->setItemDelegate(new widgets::LampDelegate(this));
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -99,6 +100,7 @@ IoPage::IoPage(const Context &context, QWidget *parent)
 QWidget *IoPage::head()
 {
     m_bar->setObjectName(QStringLiteral("tabs"));
+    m_bar->setAccessibleName(tr("Area of signals"));
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
     m_bar->setUsesScrollButtons(true);
@@ -126,6 +128,7 @@ QWidget *IoPage::head()
 QWidget *IoPage::watchTab(const Context &context)
 {
     m_watchTable->setObjectName(QStringLiteral("watchTable"));
+    m_watchTable->setAccessibleName(tr("Watched signals"));
     m_watchTable->setModel(new models::WatchModel(context.state, m_watch, context.names, m_dialect, this));
     m_watchTable->verticalHeader()->hide();
     m_watchTable->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -3,19 +3,16 @@
 #include "ui/pages/variablesheet.h"
 
 #include "ui/dialogs/applydialog.h"
-#include "ui/dialogs/importdialog.h"
 #include "ui/dialogs/positiondialog.h"
+#include "ui/pages/variabletransfer.h"
 #include "ui/widgets/celleditor.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/text.h"
 #include <QAction>
-#include <QClipboard>
 #include <QFileDialog>
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QVBoxLayout>
 
 namespace pages {
@@ -47,11 +44,13 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
       m_note {widgets::sentence({}, ui::Role::Text2)},
       m_apply {new widgets::OrderButton(context.orders, act, widgets::OrderButton::Reason::Below)},
       m_discard {button("discardButton", tr("Discard"))},
-      m_undo {button("undoButton", tr("Undo last"))}
+      m_undo {button("undoButton", tr("Undo last"))},
+      m_transfer {new VariableTransfer(m_desk, m_orders, this)}
 {
     const auto check = [this](
                            const QModelIndex &index, const QString &typed) { return m_model->complaint(index, typed); };
     m_table->setObjectName(QStringLiteral("variableTable"));
+    m_table->setAccessibleName(act == robot::Act::WriteRegister ? tr("Registers") : tr("Variables"));
     m_table->setItemDelegate(new widgets::ValueDelegate({VariableModel::Value, VariableModel::Note},
         {VariableModel::LiveTextRole, VariableModel::RangeTextRole}, check, this));
     m_table->setEditingHeight(VariableModel::Value, widgets::ValueDelegate::editingHeight);
@@ -72,7 +71,10 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
     column->addLayout(m_foot);
     connect(m_table, &widgets::Table::rowsInViewChanged, this, &VariableSheet::topicsChanged);
     connect(m_table, &QTableView::doubleClicked, this, &VariableSheet::openEditor);
+    connect(m_transfer, &VariableTransfer::topicsChanged, this, &VariableSheet::topicsChanged);
+    connect(m_transfer, &VariableTransfer::said, this, &VariableSheet::say);
     connect(&m_desk.edits, &robot::Edits::changed, this, &VariableSheet::showEdits);
+    connect(&m_desk.edits, &robot::Edits::changed, this, &VariableSheet::topicsChanged);
     showEdits();
 }
 
@@ -118,7 +120,9 @@ void VariableSheet::show(VariableModel *model)
     m_model = model;
     m_table->setModel(model);
     auto *head = m_table->horizontalHeader();
-    const int widths[] {80, 230, model->rowCount() > 0 && isPosition(model->at(0).kind) ? 420 : 200, 130, 90};
+    const auto isLong = [](const Reference &variable) { return isPosition(variable.kind); };
+    const bool hasPositions = std::ranges::any_of(model->variables(), isLong);
+    const int widths[] {80, hasPositions ? 140 : 230, hasPositions ? 570 : 200, hasPositions ? 90 : 130, 90};
     for (int column = 0; column < int(std::size(widths)); ++column)
         head->resizeSection(column, widths[column]);
     head->setStretchLastSection(true);
@@ -129,7 +133,9 @@ void VariableSheet::show(VariableModel *model)
 
 QList<robot::TopicRange> VariableSheet::topics() const
 {
-    QList<robot::TopicRange> result;
+    QList<robot::TopicRange> result = m_transfer->topics();
+    for (const auto &edit : m_desk.edits.staged().edits())
+        result << robot::TopicRange {robot::topicOf(edit.variable)};
     if (!m_model)
         return result;
     const auto rows = m_table->rowsInView();
@@ -175,11 +181,11 @@ void VariableSheet::setNote(const QString &note) { m_note->setText(note); }
 
 bool VariableSheet::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched != m_table || event->type() != QEvent::KeyPress)
+    if (watched != m_table || event->type() != QEvent::KeyPress || m_table->isEditing())
         return QWidget::eventFilter(watched, event);
     const auto *key = static_cast<QKeyEvent *>(event);
     if (key->matches(QKeySequence::Copy))
-        return copy(), true;
+        return m_transfer->copy(selected()), true;
     if (key->matches(QKeySequence::Paste))
         return paste(), true;
     if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)
@@ -247,66 +253,32 @@ void VariableSheet::openApply()
 
 void VariableSheet::discard() { m_desk.edits.clear(); }
 
-void VariableSheet::copy() const
+QList<Reference> VariableSheet::selected() const
 {
-    QString text;
-    for (const QModelIndex &row : m_table->selectionModel()->selectedRows()) {
-        const Reference variable = m_model->at(row.row());
-        const auto value = now(variable);
-        text += variables::csvLine({toString(variable), value ? toText(*value, m_desk.format) : QString()}, u'\t');
-    }
-    QGuiApplication::clipboard()->setText(text);
+    QList<Reference> result;
+    for (const QModelIndex &row : m_table->selectionModel()->selectedRows())
+        result << m_model->at(row.row());
+    return result;
 }
 
 void VariableSheet::paste()
 {
-    const QModelIndex current = m_table->currentIndex();
-    if (!current.isValid())
-        return;
-    preview(variables::previewBlock(QGuiApplication::clipboard()->text(), m_model->at(current.row()), m_desk.format,
-        m_desk.dialect, [this](const Reference &variable) { return now(variable); }));
+    if (const QModelIndex current = m_table->currentIndex(); current.isValid())
+        m_transfer->paste(m_model->at(current.row()));
 }
 
 void VariableSheet::importFile()
 {
     const QString path = QFileDialog::getOpenFileName(this, tr("Import values"), {}, tr("CSV files (*.csv)"));
-    if (path.isEmpty())
-        return;
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return say(tr("%1 cannot be read: %2.").arg(path, file.errorString()));
-    const auto text = variables::textOfFile(file.readAll());
-    if (!text)
-        return say(text.error().detail);
-    const auto table = variables::readTable(*text);
-    if (!table)
-        return say(table.error().detail);
-    preview(variables::preview(
-        *table, m_desk.format, m_desk.dialect, [this](const Reference &variable) { return now(variable); }));
+    if (!path.isEmpty())
+        m_transfer->importFrom(path);
 }
 
-void VariableSheet::preview(const variables::Preview &preview)
-{
-    auto *dialog = new dialogs::ImportDialog(preview, controllerName(), m_desk.format, this);
-    connect(dialog, &dialogs::ImportDialog::differencesAccepted, this,
-        [this](const QList<variables::Difference> &differences) { m_desk.edits.stage(differences); });
-    dialog->show();
-}
-
-/// What was read; a variable that was not read has an empty cell.
 void VariableSheet::exportFile()
 {
     const QString path = QFileDialog::getSaveFileName(this, tr("Export values"), {}, tr("CSV files (*.csv)"));
-    if (path.isEmpty())
-        return;
-    QList<variables::ExportRow> rows;
-    for (const Reference &variable : m_model->variables())
-        rows << variables::ExportRow {variable, m_desk.book.names().of(variable).text, now(variable)};
-    QSaveFile file(path);
-    const bool isWritten = file.open(QIODevice::WriteOnly)
-        && file.write("\xEF\xBB\xBF" + toCsv(rows, m_desk.format).toUtf8()) > 0 && file.commit();
-    say(isWritten ? tr("%1 was written.").arg(path) : tr("%1 cannot be written: %2.").arg(path, file.errorString()),
-        !isWritten);
+    if (!path.isEmpty())
+        m_transfer->exportTo(path, m_model->variables());
 }
 
 } // namespace pages

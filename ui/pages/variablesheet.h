@@ -21,6 +21,8 @@ class PositionDialog;
 
 namespace pages {
 
+class VariableTransfer;
+
 /// A table of variables or registers with everything that is done to them: go to, edit, stage, apply, undo, paste, CSV.
 /// The variables and the registers page are made of it.
 class VariableSheet : public QWidget
@@ -35,7 +37,8 @@ public:
     using QWidget::show;
     [[nodiscard]] models::VariableModel *model() const { return m_model; }
     [[nodiscard]] widgets::Table *table() const { return m_table; }
-    /// The rows that can be seen, as the poller wants them.
+    /// What the poller must read: the rows that can be seen, what is staged wherever it stands, and what is being
+    /// imported or exported.
     [[nodiscard]] QList<robot::TopicRange> topics() const;
     /// Makes the row current; false if it is not in this table.
     bool select(const variables::Reference &variable);
@@ -63,11 +66,10 @@ private:
     void showEdits();
     void openApply();
     void discard();
-    void copy() const;
+    [[nodiscard]] QList<variables::Reference> selected() const;
     void paste();
     void importFile();
     void exportFile();
-    void preview(const variables::Preview &preview);
     [[nodiscard]] std::optional<variables::Value> now(const variables::Reference &variable) const;
     [[nodiscard]] QString controllerName() const;
 
@@ -83,6 +85,7 @@ private:
     widgets::OrderButton *m_apply;
     QPushButton *m_discard;
     QPushButton *m_undo;
+    VariableTransfer *m_transfer;
 };
 
 } // namespace pages

@@ -39,6 +39,7 @@ VariablesPage::VariablesPage(const Context &context, QWidget *parent)
       m_test {new QPushButton(tr("Verify…"))}
 {
     m_bar->setObjectName(QStringLiteral("tabs"));
+    m_bar->setAccessibleName(tr("Kind of variable"));
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
     m_bar->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -3,6 +3,7 @@
 #include "ui/widgets/celleditor.h"
 
 #include "ui/widgets/text.h"
+#include <QFocusEvent>
 #include <QValidator>
 
 namespace widgets {
@@ -85,6 +86,7 @@ QWidget *ValueDelegate::createEditor(
     if (index.column() != m_columns.value) {
         auto *field = new QLineEdit(index.data(Qt::EditRole).toString(), parent);
         field->setObjectName(QStringLiteral("textEditor"));
+        field->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
         return field;
     }
     const auto check = [this, at = QPersistentModelIndex(index)](
@@ -107,6 +109,15 @@ void ValueDelegate::setModelData(QWidget *editor, QAbstractItemModel *model, con
 {
     if (const auto *field = qobject_cast<QLineEdit *>(editor))
         model->setData(index, field->text());
+}
+
+/// Another window in front ends no typing: it goes on where it was when this one comes back.
+bool ValueDelegate::eventFilter(QObject *editor, QEvent *event)
+{
+    const bool isLeaving = event->type() == QEvent::FocusOut;
+    if (isLeaving && static_cast<QFocusEvent *>(event)->reason() == Qt::ActiveWindowFocusReason)
+        return false;
+    return TableDelegate::eventFilter(editor, event);
 }
 
 void ValueDelegate::updateEditorGeometry(

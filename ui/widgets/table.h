@@ -67,6 +67,8 @@ public:
 
     void setModel(QAbstractItemModel *model) override;
     [[nodiscard]] RowSpan rowsInView() const;
+    /// A cell is being edited. Keys that its editor leaves alone reach the table.
+    [[nodiscard]] bool isEditing() const { return state() == EditingState; }
     /// How high a row is while one of its cells is edited; the others move down. Without it rows keep their height.
     void setEditingHeight(int column, int height);
 

@@ -142,6 +142,19 @@ private Q_SLOTS:
         QCOMPARE(controller.timesLost(), 0);
     }
 
+    void aStandstillOfOursIsNoLostLink()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        Controller controller {profileOf(server.port())};
+        controller.open();
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        QThread::sleep(2); // a long paint: nobody was asked meanwhile
+        QCoreApplication::processEvents();
+        QTRY_COMPARE(controller.state().freshness(topics::status), Freshness::Live);
+        QCOMPARE(controller.timesLost(), 0);
+    }
+
     void holdIsConfirmedByTheStatus()
     {
         Server server {onAnyPort()};

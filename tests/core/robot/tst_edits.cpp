@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "robot/edits.h"
-#include "robot/iowrite.h"
-#include "virtualcontroller/server.h"
-#include <QSignalSpy>
-#include <QTest>
+#include "core/robot/desk.h"
 
-using namespace std::chrono_literals;
 using namespace robot;
 using protocol::Numbering;
 using values::ErrorKind;
@@ -17,7 +12,6 @@ using variables::Value;
 using virtualcontroller::Direction;
 using virtualcontroller::FaultKind;
 using virtualcontroller::Faults;
-using virtualcontroller::Server;
 using VariableKind = variables::Kind;
 
 Q_DECLARE_METATYPE(protocol::Numbering)
@@ -27,106 +21,19 @@ namespace {
 
 constexpr int perKind = 100;
 
-/// QTest::qWaitFor() sleeps between two looks, which makes hundreds of requests slow.
-bool waitFor(const std::function<bool()> &isTrue)
+constexpr int old = 100;
+constexpr int fresh = 0;
+
+/// A value that differs for each number, kind and of the two states.
+Value sample(const Reference &variable, int state)
 {
-    QElapsedTimer clock;
-    clock.start();
-    while (!isTrue() && clock.elapsed() < 20'000)
-        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    return isTrue();
-}
-
-/// A controller on real sockets, the door to it, and edits.
-struct Desk {
-    explicit Desk(Numbering numbering = Numbering::FromZero, protocol::Model model = protocol::Model::YRC1000)
-    {
-        options.port = 0;
-        options.filePort = 0;
-        options.settings.numbering = numbering;
-        options.settings.model = model;
-        isUp = start();
-        settings::Profile profile;
-        profile.name = QStringLiteral("CELL 4");
-        profile.host = QStringLiteral("127.0.0.1");
-        profile.port = server->port();
-        profile.filePort = server->filePort();
-        profile.readTimeout = 200ms;
-        profile.requestsPerSecond = 2000;
-        profile.numbering = numbering;
-        profile.model = model;
-        controller = std::make_unique<Controller>(profile);
-        orders = std::make_unique<Orders>(*controller, access, arming);
-        QObject::connect(orders.get(), &Orders::recorded, orders.get(),
-            [this](const journal::OrderRecord &record) { records << record; });
-        variables::Format format;
-        format.stringSize = protocol::dialect(model).stringSize;
-        edits = std::make_unique<Edits>(*orders, format);
-        controller->open();
-    }
-
-    /// A new controller at the same place.
-    [[nodiscard]] bool start()
-    {
-        server = std::make_unique<Server>(options);
-        const bool isStarted = server->start().has_value();
-        options.port = server->port();
-        options.filePort = server->filePort();
-        return isStarted;
-    }
-
-    [[nodiscard]] bool live(bool isVerified = true)
-    {
-        access.enter(Level::Engineer);
-        orders->setNumberingVerified(isVerified);
-        return isUp && waitFor([this] { return orders->situation().isLinkUp && orders->situation().status; });
-    }
-
-    [[nodiscard]] bool watch(const QList<TopicRange> &topics)
-    {
-        interest = controller->poller().want(topics);
-        return waitFor([&] {
-            return std::ranges::all_of(topics, [this](const TopicRange &range) {
-                return controller->state().freshness({range.kind, range.last}) != Freshness::Unknown;
-            });
-        });
-    }
-
-    /// Applies, and waits for the end.
-    [[nodiscard]] bool apply()
-    {
-        QSignalSpy applied {edits.get(), &Edits::applied};
-        edits->apply();
-        return waitFor([&] { return applied.count() == 1; });
-    }
-
-    [[nodiscard]] int writes() const
-    {
-        int count = 0;
-        for (const auto &record : records)
-            count += record.action.startsWith(QStringLiteral("write-"));
-        return count;
-    }
-
-    virtualcontroller::Options options;
-    Access access;
-    Arming arming;
-    std::unique_ptr<Server> server;
-    std::unique_ptr<Controller> controller;
-    std::unique_ptr<Orders> orders;
-    std::unique_ptr<Edits> edits;
-    Poller::Interest interest;
-    QList<journal::OrderRecord> records;
-    bool isUp = false;
-};
-
-/// A value that differs for each number and kind, and is never the default.
-Value sample(VariableKind kind, int number)
-{
+    const auto [kind, plain] = variable;
+    const int number = plain + state;
+    const bool isRobot = kind == VariableKind::P;
     values::Position position;
-    position.type = kind == VariableKind::P ? values::PositionType::Base : values::PositionType::Pulse;
-    position.tool = kind == VariableKind::P ? 1 : 0;
-    position.form = kind == VariableKind::P ? 4 : 0;
+    position.type = isRobot ? values::PositionType::Base : values::PositionType::Pulse;
+    position.tool = isRobot ? 1 : 0;
+    position.form = isRobot ? 4 : 0;
     position.axes = {1000 + number, -number, 3, 4, 5, 6, 0, 0};
     switch (kind) {
     case VariableKind::B: return values::ByteVariable {quint8(number + 1)};
@@ -138,6 +45,53 @@ Value sample(VariableKind kind, int number)
     case VariableKind::M: return values::Register {quint16(60'000 + number)};
     default: return variables::valueWith(kind, position);
     }
+}
+
+/// What really stands in the controller.
+Value valueIn(const virtualcontroller::Memory &memory, const Reference &variable)
+{
+    const auto number = std::size_t(variable.number);
+    switch (variable.kind) {
+    case VariableKind::B: return memory.b[number];
+    case VariableKind::I: return memory.i[number];
+    case VariableKind::D: return memory.d[number];
+    case VariableKind::R: return memory.r[number];
+    case VariableKind::S: return memory.s[number];
+    case VariableKind::P: return memory.p[number].value();
+    case VariableKind::BP: return memory.bp[number].value();
+    case VariableKind::EX: return memory.ex[number].value();
+    case VariableKind::M: break;
+    }
+    return memory.registers[number];
+}
+
+template <typename Item> void put(auto &list, VariableKind kind)
+{
+    for (int number = 0; number < perKind; ++number)
+        list[std::size_t(number)] = std::get<Item>(sample({kind, number}, old));
+}
+
+void fill(virtualcontroller::Memory &memory)
+{
+    put<values::ByteVariable>(memory.b, VariableKind::B);
+    put<values::IntegerVariable>(memory.i, VariableKind::I);
+    put<values::DoubleVariable>(memory.d, VariableKind::D);
+    put<values::RealVariable>(memory.r, VariableKind::R);
+    put<values::StringVariable32>(memory.s, VariableKind::S);
+    put<values::PositionVariable>(memory.p, VariableKind::P);
+    put<values::BasePosition>(memory.bp, VariableKind::BP);
+    put<values::ExternalPosition>(memory.ex, VariableKind::EX);
+    put<values::Register>(memory.registers, VariableKind::M);
+}
+
+QList<Reference> all()
+{
+    QList<Reference> result;
+    for (const VariableKind kind : variables::allKinds) {
+        for (int number = 0; number < perKind; ++number)
+            result << Reference {kind, number};
+    }
+    return result;
 }
 
 QList<TopicRange> everything()
@@ -157,6 +111,7 @@ class TestEdits : public QObject
 private Q_SLOTS:
     void everyKindIsWrittenVerifiedAndUndone_data();
     void everyKindIsWrittenVerifiedAndUndone();
+    void whatWasUndefinedIsNotUndone();
     void numbersAreTheRightOnes();
     void nothingLeavesWhileUnverified_data();
     void nothingLeavesWhileUnverified();
@@ -166,59 +121,65 @@ private Q_SLOTS:
     void aLostLinkLosesNothingStaged();
     void sixteenByteStrings();
     void neighboursAreLeftAlone();
-    void networkInputs();
-    void networkInputsThatChangeMeanwhile();
-    void networkInputsThatAreRefused();
 };
 
 void TestEdits::everyKindIsWrittenVerifiedAndUndone_data()
 {
     QTest::addColumn<Numbering>("numbering");
-    QTest::newRow("from zero") << Numbering::FromZero;
-    QTest::newRow("from one") << Numbering::FromOne;
+    QTest::addColumn<protocol::Model>("model");
+    QTest::newRow("YRC1000 from zero") << Numbering::FromZero << protocol::Model::YRC1000;
+    QTest::newRow("YRC1000 from one") << Numbering::FromOne << protocol::Model::YRC1000;
+    QTest::newRow("DX200 from zero") << Numbering::FromZero << protocol::Model::DX200; // strings of 16 bytes
+    QTest::newRow("DX200 from one") << Numbering::FromOne << protocol::Model::DX200;
 }
 
+/// 100 of every kind; the memory of the controller is the judge.
 void TestEdits::everyKindIsWrittenVerifiedAndUndone()
 {
     QFETCH(Numbering, numbering);
-    Desk desk {numbering};
+    QFETCH(protocol::Model, model);
+    Desk desk {numbering, model};
+    auto &memory = desk.server->memory();
+    fill(memory);
     QVERIFY(desk.live());
     QVERIFY(desk.watch(everything()));
-    std::map<Reference, Value> before;
-    for (const VariableKind kind : variables::allKinds) {
-        for (int number = 0; number < perKind; ++number) {
-            const Reference variable {kind, number};
-            if (const auto reading = readingOf(desk.controller->state(), variable); reading.value)
-                before.insert({variable, *reading.value});
-            desk.edits->stage(variable, sample(kind, number));
-        }
-    }
-    const int staged = int(desk.edits->staged().edits().size());
-    QVERIFY(staged > 8 * perKind);
+    for (const Reference &variable : all())
+        desk.edits->stage(variable, sample(variable, fresh));
+    constexpr int staged = 9 * perKind;
+    QCOMPARE(desk.edits->staged().edits().size(), staged);
     QCOMPARE(desk.records.size(), 0);
     QVERIFY(desk.apply());
     QVERIFY(desk.edits->staged().isEmpty());
     QCOMPARE(desk.writes(), staged);
-    for (const VariableKind kind : variables::allKinds) {
-        for (int number = 0; number < perKind; ++number)
-            QVERIFY(readingOf(desk.controller->state(), {kind, number}).value == sample(kind, number));
+    for (const Reference &variable : all()) {
+        QVERIFY2(valueIn(memory, variable) == sample(variable, fresh), qPrintable(toString(variable)));
+        QVERIFY(readingOf(desk.controller->state(), variable).value == sample(variable, fresh));
     }
-    auto &memory = desk.server->memory();
-    QCOMPARE(memory.b[7].value, 8);
-    QCOMPARE(memory.i[99].value, -100);
-    QCOMPARE(memory.d[0].value, 1'000'000);
-    QCOMPARE(memory.registers[99].value, 60'099);
-    QCOMPARE(memory.s[5].value.bytes().toByteArray(), QByteArray("PART 5"));
-    QCOMPARE(memory.p[99]->position.axes[0], 1099);
-    // What was undefined before cannot be undone; the rest can.
-    QCOMPARE(int(desk.edits->staged().undoable().size()), int(before.size()) - (perKind * 9 - staged));
+    QCOMPARE(desk.edits->staged().undoable().size(), staged);
     desk.edits->undo();
     QCOMPARE(desk.writes(), staged); // staged, not sent
     QVERIFY(desk.apply());
     QVERIFY(desk.edits->staged().isEmpty());
-    for (const auto &[variable, value] : before)
-        QVERIFY2(readingOf(desk.controller->state(), variable).value == value, qPrintable(toString(variable)));
-    QVERIFY(desk.server->arrived(0x302) < 100);
+    QCOMPARE(desk.writes(), 2 * staged);
+    for (const Reference &variable : all())
+        QVERIFY2(valueIn(memory, variable) == sample(variable, old), qPrintable(toString(variable)));
+}
+
+/// It can be written, but there is nothing to go back to.
+void TestEdits::whatWasUndefinedIsNotUndone()
+{
+    Desk desk;
+    QVERIFY(desk.live());
+    const Reference p90 {VariableKind::P, 90};
+    QVERIFY(!desk.server->memory().p[90]);
+    desk.interest = desk.controller->poller().want({TopicRange {topicOf(p90)}});
+    QVERIFY(waitFor([&] { return readingOf(desk.controller->state(), p90).refusal.has_value(); }));
+    desk.edits->stage(p90, sample(p90, fresh));
+    QVERIFY(desk.apply());
+    QVERIFY(desk.edits->staged().isEmpty());
+    QVERIFY(valueIn(desk.server->memory(), p90) == sample(p90, fresh));
+    QVERIFY(desk.records.constLast().oldValue.isEmpty());
+    QVERIFY(desk.edits->staged().undoable().isEmpty());
 }
 
 /// The instance on the wire is the number, or the number plus one: the memory of the controller is the judge.
@@ -240,28 +201,36 @@ void TestEdits::numbersAreTheRightOnes()
 
 void TestEdits::nothingLeavesWhileUnverified_data()
 {
-    QTest::addColumn<Numbering>("profile");
+    QTest::addColumn<Numbering>("believed");
     QTest::addColumn<Numbering>("controller");
     QTest::newRow("as it is") << Numbering::FromZero << Numbering::FromZero;
-    QTest::newRow("shifted") << Numbering::FromOne << Numbering::FromOne;
+    QTest::newRow("as it is, from one") << Numbering::FromOne << Numbering::FromOne;
+    QTest::newRow("shifted") << Numbering::FromZero << Numbering::FromOne;
+    QTest::newRow("shifted back") << Numbering::FromOne << Numbering::FromZero;
 }
 
+/// Counted where it would arrive; nothing is read here, so that every packet would be a write.
 void TestEdits::nothingLeavesWhileUnverified()
 {
+    QFETCH(Numbering, believed);
     QFETCH(Numbering, controller);
-    Desk desk {controller};
+    Desk desk {controller, protocol::Model::YRC1000, believed};
+    fill(desk.server->memory());
     QVERIFY(desk.live(false));
-    for (const VariableKind kind : variables::allKinds) {
-        if (kind != VariableKind::M)
-            desk.edits->stage({kind, 3}, sample(kind, 3));
+    for (const Reference &variable : all()) {
+        if (variable.kind != VariableKind::M)
+            desk.edits->stage(variable, sample(variable, fresh));
     }
     QVERIFY(desk.apply());
-    QCOMPARE(desk.edits->staged().edits().size(), 8);
-    const Edit first = desk.edits->staged().edits().constFirst();
-    QVERIFY(first.state == EditState::Staged);
-    QVERIFY(first.error && first.error->kind == ErrorKind::NotSent);
-    for (const int command : {0x7A, 0x7B, 0x7C, 0x7D, 0x8C, 0x7F, 0x80, 0x81})
+    const auto left = desk.edits->staged().edits();
+    QCOMPARE(left.size(), 8 * perKind);
+    QVERIFY(std::ranges::all_of(left, [](const Edit &edit) { return edit.state == EditState::Staged; }));
+    QVERIFY(left.first().error && left.first().error->kind == ErrorKind::NotSent);
+    for (const int command : {0x7A, 0x7B, 0x7C, 0x7D, 0x7E, 0x8C, 0x7F, 0x80, 0x81, 0x302, 0x303, 0x304, 0x305, 0x306,
+             0x307, 0x308, 0x309, 0x30C})
         QCOMPARE(desk.server->arrived(quint16(command)), 0);
+    for (const Reference &variable : all())
+        QVERIFY(valueIn(desk.server->memory(), variable) == sample(variable, old));
     // Registers have no such numbering.
     desk.edits->clear();
     desk.edits->stage({VariableKind::M, 3}, values::Register {5});
@@ -283,8 +252,14 @@ void TestEdits::aRefusalInTheMiddleLeavesTheRest()
     QVERIFY(left.first().variable == (Reference {VariableKind::D, 25}));
     QVERIFY(left.first().state == EditState::Refused);
     QCOMPARE(left.first().error->addedStatus, 0x2110);
-    QCOMPARE(desk.server->memory().d[49].value, 50);
+    for (int number = 0; number < 50; ++number)
+        QCOMPARE(desk.server->memory().d[std::size_t(number)].value, number == 25 ? 0 : number + 1);
     QCOMPARE(desk.server->arrived(0x7C), 99);
+    // Each was told by itself.
+    QCOMPARE(desk.writes(), 50);
+    QCOMPARE(desk.records[25].subject, QStringLiteral("D025"));
+    QVERIFY(desk.records[25].outcome == journal::Outcome::Refused);
+    QVERIFY(desk.records[26].outcome == journal::Outcome::Done);
     QVERIFY(desk.apply());
     QVERIFY(desk.edits->staged().isEmpty());
 }
@@ -332,13 +307,17 @@ void TestEdits::aLostLinkLosesNothingStaged()
         desk.edits->stage({VariableKind::I, number}, values::IntegerVariable {7});
     desk.server.reset();
     QVERIFY(waitFor([&] { return desk.controller->linkState() == LinkState::Lost; }));
+    desk.edits->stage({VariableKind::I, 5}, values::IntegerVariable {7});
     QVERIFY(desk.apply());
-    QCOMPARE(desk.edits->staged().edits().size(), 5);
+    QCOMPARE(desk.edits->staged().edits().size(), 6);
     for (const Edit &edit : desk.edits->staged().edits())
         QVERIFY(edit.state == EditState::Staged);
     QVERIFY(desk.start());
     QVERIFY(waitFor([&] { return desk.controller->linkState() == LinkState::Monitoring; }));
     QCOMPARE(desk.server->arrived(0x7B), 0); // reconnecting resumes reading only
+    QVERIFY(desk.apply());
+    QVERIFY(desk.edits->staged().isEmpty());
+    QCOMPARE(desk.server->memory().i[5].value, 7);
 }
 
 void TestEdits::sixteenByteStrings()
@@ -365,70 +344,6 @@ void TestEdits::neighboursAreLeftAlone()
     QCOMPARE(desk.server->memory().b[9].value, 99);
     QCOMPARE(desk.server->memory().b[13].value, 99);
     QCOMPARE(desk.server->arrived(0x302), 0);
-}
-
-void TestEdits::networkInputs()
-{
-    Desk desk;
-    QVERIFY(desk.live());
-    desk.server->memory().io[2701] = 0b1000'0001;
-    IoWrite write {*desk.orders, {2701, 3}};
-    write.read();
-    QTRY_VERIFY(write.step() == IoWrite::Step::Ready);
-    QCOMPARE(write.before()->bits, 0b1000'0001);
-    QCOMPARE(write.after()->bits, 0b1000'1001);
-    write.write();
-    QTRY_VERIFY(write.step() == IoWrite::Step::Done);
-    QCOMPARE(desk.server->memory().io[2701], 0b1000'1001);
-    QCOMPARE(desk.writes(), 1);
-    QCOMPARE(desk.records.constLast().subject, QStringLiteral("#27013"));
-    write.write(); // done is done
-    QVERIFY(write.step() == IoWrite::Step::Done);
-}
-
-void TestEdits::networkInputsThatChangeMeanwhile()
-{
-    Desk desk;
-    QVERIFY(desk.live());
-    IoWrite write {*desk.orders, {2701, 3}};
-    write.read();
-    QTRY_VERIFY(write.step() == IoWrite::Step::Ready);
-    desk.server->memory().io[2701] = 0b0000'0100;
-    write.write();
-    QTRY_VERIFY(write.step() == IoWrite::Step::Changed);
-    QCOMPARE(desk.writes(), 0);
-    QCOMPARE(write.after()->bits, 0b0000'1100);
-    write.write();
-    QTRY_VERIFY(write.step() == IoWrite::Step::Done);
-    QCOMPARE(desk.server->memory().io[2701], 0b0000'1100);
-}
-
-void TestEdits::networkInputsThatAreRefused()
-{
-    Desk desk;
-    QVERIFY(desk.live());
-    // An output: the page never asks for it, the controller would refuse.
-    IoWrite output {*desk.orders, {1001, 0}};
-    output.read();
-    QTRY_VERIFY(output.step() == IoWrite::Step::Ready);
-    output.write();
-    QTRY_VERIFY(output.step() == IoWrite::Step::Refused);
-    QVERIFY(output.error().kind == ErrorKind::Refused);
-    // Without an answer nobody knows.
-    IoWrite lost {*desk.orders, {2701, 0}};
-    lost.read();
-    QTRY_VERIFY(lost.step() == IoWrite::Step::Ready);
-    desk.server->setFaults(Faults {{{0x78, Direction::Reply, FaultKind::Lose, 1, 1, 1}}});
-    lost.write();
-    QTRY_VERIFY(lost.step() == IoWrite::Step::Unknown);
-    // Monitor may not.
-    desk.access.enter(Level::Monitor);
-    IoWrite monitor {*desk.orders, {2701, 0}};
-    monitor.read();
-    QTRY_VERIFY(monitor.step() == IoWrite::Step::Ready);
-    monitor.write();
-    QTRY_VERIFY(monitor.step() == IoWrite::Step::Failed);
-    QVERIFY(monitor.error().kind == ErrorKind::NotSent);
 }
 
 QTEST_GUILESS_MAIN(TestEdits)

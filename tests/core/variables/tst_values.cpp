@@ -109,7 +109,7 @@ void ValuesTest::printsPositions()
         QStringLiteral("base frame  X 812,500  Y -12,000  Z 0,000  Rx 180,0000  Ry 0,0000  Rz -45,0000"));
     position.type = values::PositionType::Pulse;
     position.axes = {1000, -5};
-    QCOMPARE(toText(valueWith(Kind::P, position), german()), QStringLiteral("pulse  S 1000  L -5"));
+    QCOMPARE(toText(valueWith(Kind::P, position), german()), QStringLiteral("pulse  S 1000  L -5  U 0  R 0  B 0  T 0"));
     QCOMPARE(toText(valueWith(Kind::EX, position), german()), QStringLiteral("pulse  1 1000  2 -5"));
 }
 
