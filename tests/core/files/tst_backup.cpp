@@ -38,6 +38,8 @@ session::FilePolicy quick()
     session::FilePolicy policy;
     policy.timeout = 400ms;
     policy.repeatFloor = 4ms;
+    policy.busyLeast = 5ms;
+    policy.busyMost = 20ms;
     return policy;
 }
 
@@ -128,6 +130,7 @@ private Q_SLOTS:
     void waitsForNobody();
     void letsGoOfOldOnes();
     void isCancelled();
+    void survivesKills();
     void plans_data();
     void plans();
     void restoresWhatChanged();
@@ -312,6 +315,45 @@ void TestBackup::isCancelled()
     QVERIFY(third.state() == OperationState::Done);
 }
 
+/// This program itself, started to write backups until it is killed: see main().
+void TestBackup::survivesKills()
+{
+    FileDesk desk;
+    desk.files() = manyFiles(8);
+    desk.server.memory().settings.transferTimeout = 30ms; // so that the dead do not keep the living waiting
+    const QTemporaryDir root;
+    const Archive archive {root.path(), QStringLiteral("CELL 4")};
+    QVERIFY(!backedUp(desk, root.path()).hashes.empty());
+    const QByteArray first = readFile(archive.entries().last().path + QStringLiteral("/manifest-sha256.txt")).value();
+    const QString firstId = archive.entries().last().id;
+    std::mt19937 random {200};
+    QSet<QString> seen;
+    for (int run = 0; run < 200; ++run) {
+        QProcess child;
+        child.start(QCoreApplication::applicationFilePath(),
+            {QStringLiteral("--write-backups"), root.path(), QString::number(desk.server.filePort())});
+        QVERIFY(child.waitForStarted());
+        // Some die before their first file, some in the third backup.
+        const qint64 steps = 1 + random() % 24;
+        while (child.bytesAvailable() < steps)
+            QVERIFY(QSignalSpy(&child, &QProcess::readyRead).wait(30000));
+        child.kill();
+        QVERIFY(child.waitForFinished());
+        for (const ArchiveEntry &entry : archive.entries()) {
+            if (seen.contains(entry.id))
+                continue;
+            seen.insert(entry.id);
+            QVERIFY2(entry.isReadable && verify(entry.path).isGood(), qPrintable(entry.path));
+        }
+    }
+    QCOMPARE(readFile(archive.folder() + u'/' + firstId + QStringLiteral("/manifest-sha256.txt")).value(), first);
+    for (const ArchiveEntry &entry : archive.entries())
+        QVERIFY(verify(entry.path).isGood());
+    const auto whole = archive.entries();
+    QVERIFY(std::ranges::count_if(whole, [](const auto &entry) { return entry.files == 8; }) > 1);
+    QVERIFY(archive.lock()); // nobody holds it any more
+}
+
 void TestBackup::plans_data()
 {
     QTest::addColumn<QByteArray>("name");
@@ -439,6 +481,37 @@ void TestBackup::noticesThatThePlanIsOld()
     QCOMPARE(desk.files()["A.JBI"], jobText("A", 9));
 }
 
-QTEST_GUILESS_MAIN(TestBackup)
+/// A byte for each file.
+void tellStep()
+{
+    std::putchar('.');
+    std::fflush(stdout);
+}
+
+/// Writes backups until somebody ends the process.
+int writeBackups(const QString &root, quint16 port)
+{
+    session::UdpTransport transport {QHostAddress {QHostAddress::LocalHost}, port};
+    session::FileSession session {transport, quick()};
+    std::unique_ptr<Backup> next;
+    const std::function<void()> again = [&] {
+        next = std::make_unique<Backup>(session, orderFor(root));
+        QObject::connect(next.get(), &Operation::progressed, qApp, tellStep);
+        QObject::connect(next.get(), &Operation::finished, qApp, [&] { QTimer::singleShot(1, qApp, again); });
+        next->start();
+    };
+    again();
+    return QCoreApplication::exec();
+}
+
+int main(int argc, char *argv[])
+{
+    QCoreApplication application {argc, argv};
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.value(1) == u"--write-backups")
+        return writeBackups(arguments.value(2), quint16(arguments.value(3).toUInt()));
+    TestBackup test;
+    return QTest::qExec(&test, argc, argv);
+}
 
 #include "tst_backup.moc"
