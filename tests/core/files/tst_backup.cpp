@@ -123,8 +123,12 @@ private Q_SLOTS:
     void keepsAThousandFiles_data();
     void keepsAThousandFiles();
     void goesOnAfterRefusals();
+    void keepsOddFiles();
+    void waitsWhileBusy();
+    void goesOnWithoutWhatVanished();
     void meetsBadLists_data();
     void meetsBadLists();
+    void meetsAListBrokenInAName();
     void endsWithoutABag_data();
     void endsWithoutABag();
     void waitsForNobody();
@@ -134,6 +138,7 @@ private Q_SLOTS:
     void plans_data();
     void plans();
     void restoresWhatChanged();
+    void restoresNothingSpoilt();
     void stopsAtTheFirstError();
     void neverRestoresWhileAJobRuns();
     void noticesThatThePlanIsOld();
@@ -200,6 +205,46 @@ void TestBackup::goesOnAfterRefusals()
     QCOMPARE(bag->info().model, QStringLiteral("YRC1000"));
 }
 
+/// Names that other file systems cannot carry or tell apart, and all line ends.
+void TestBackup::keepsOddFiles()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    const QByteArray job = jobText("A");
+    desk.files() = {{"CON.JBI", job}, {"A..JBI", job}, {"WELD.JBI", "1"}, {"weld.JBI", "2"}, {"Weld.JBI", "3"},
+        {"\x83\x65.JBI", job}, {QByteArray(32, 'N') + ".JBI", job}, {"100%.JBI", job}, {"A:B.DAT", "//A\r\n"},
+        {"LF.JBI", QByteArray(job).replace("\r\n", "\n")}, {"CUT.JBI", job.chopped(2)}, {"HALF.JBI", job.chopped(1)},
+        {"CR.DAT", "//A\rB\r"}, {"BLANKS.DAT", "//A \t\r\n\r\n\r\n"}};
+    const FileSet set = backedUp(desk, root.path());
+    for (const auto &[name, content] : desk.files())
+        QVERIFY2(contentsOf(set)[name] == content, name);
+    QCOMPARE(set.hashes.size(), desk.files().size());
+    QVERIFY(verify(Archive(root.path(), QStringLiteral("CELL 4")).entries().value(0).path).isGood());
+}
+
+void TestBackup::waitsWhileBusy()
+{
+    FileDesk desk {*Faults::parse(u"files request refuse code=0xE444 after=9 times=4"), quick()};
+    const QTemporaryDir root;
+    desk.files() = manyFiles(20);
+    QVERIFY(contentsOf(backedUp(desk, root.path())) == desk.files());
+}
+
+void TestBackup::goesOnWithoutWhatVanished()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    desk.files() = {{"A.JBI", jobText("A")}, {"B.JBI", jobText("B")}, {"C.JBI", jobText("C")}};
+    Backup backup {desk.session, orderFor(root.path())};
+    connect(&backup, &Operation::progressed, this, [&] { desk.files().erase("B.JBI"); });
+    QVERIFY(FileDesk::finish(backup));
+    QVERIFY(backup.state() == OperationState::Done);
+    const auto bag = Bag::open(backup.path());
+    QVERIFY(contentsOf(bag->files()) == desk.files());
+    QVERIFY(bag->files().unread == std::set {fileName("B.JBI")});
+    QCOMPARE(bag->info().failures(), 1);
+}
+
 void TestBackup::meetsBadLists_data()
 {
     QTest::addColumn<QByteArrayList>("names");
@@ -237,10 +282,27 @@ void TestBackup::meetsBadLists()
         QDir {root.path()}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList {QStringLiteral("CELL 4")});
 }
 
+/// What is left of the name is asked for, refused, and said to be missing.
+void TestBackup::meetsAListBrokenInAName()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    desk.files() = {{"A.JBI", jobText("A")}, {"HALF\r\n.JBI", jobText("HALF")}};
+    Backup backup {desk.session, orderFor(root.path())};
+    QVERIFY(FileDesk::finish(backup));
+    QVERIFY(backup.state() == OperationState::Done);
+    QCOMPARE(backup.info().failures(), 2);
+    const auto bag = Bag::open(backup.path());
+    QCOMPARE(bag->files().hashes.size(), std::size_t(1));
+    QVERIFY(bag->files().unread.contains(fileName("HALF")));
+}
+
 void TestBackup::endsWithoutABag_data()
 {
     QTest::addColumn<QString>("faults");
     QTest::addColumn<int>("kind");
+    QTest::addRow("busy for ever") << QStringLiteral("files request refuse code=0xE444") << int(ErrorKind::Refused);
+    QTest::addRow("full disk") << QStringLiteral("seed=1") << int(ErrorKind::LocalFile);
     QTest::addRow("remote off") << QStringLiteral("files request refuse code=0xE2B2") << int(ErrorKind::Refused);
     QTest::addRow("silent") << QStringLiteral("files request lose") << int(ErrorKind::NoAnswer);
     QTest::addRow("silent after a while") << QStringLiteral("files request lose after=20") << int(ErrorKind::NoAnswer);
@@ -258,7 +320,10 @@ void TestBackup::endsWithoutABag()
     if (!faults.isEmpty())
         desk.files() = manyFiles(20);
     Backup backup {desk.session, orderFor(root.path())};
-    QVERIFY(FileDesk::finish(backup));
+    {
+        const FullDisk disk {kind == int(ErrorKind::LocalFile) ? 1000 : RLIM_INFINITY};
+        QVERIFY(FileDesk::finish(backup));
+    }
     QVERIFY(backup.state() == OperationState::Failed);
     QCOMPARE(int(backup.error()->kind), kind);
     QVERIFY(Archive(root.path(), QStringLiteral("CELL 4")).entries().isEmpty());
@@ -412,6 +477,24 @@ void TestBackup::restoresWhatChanged()
     // A second time there is nothing to do.
     for (const RestoreItem &item : planFor(desk, bag))
         QVERIFY(!item.isSent());
+}
+
+/// Somebody changes the backup after the plan was made of it.
+void TestBackup::restoresNothingSpoilt()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    desk.files() = {{"A.JBI", jobText("A")}};
+    const FileSet bag = backedUp(desk, root.path());
+    desk.files()["A.JBI"] = jobText("A", 5);
+    const auto plan = planFor(desk, bag);
+    const QString path = Archive(root.path(), QStringLiteral("CELL 4")).entries().value(0).path;
+    QVERIFY(replaceFile(path + QStringLiteral("/data/A.JBI"), jobText("A", 6)));
+    Restore restore {desk.session, bag, plan, orderFor(root.path()), always()};
+    QVERIFY(FileDesk::finish(restore));
+    QVERIFY(restore.state() == OperationState::Failed);
+    QVERIFY(restore.error()->kind == ErrorKind::LocalFile);
+    QCOMPARE(desk.files()["A.JBI"], jobText("A", 5));
 }
 
 void TestBackup::stopsAtTheFirstError()
