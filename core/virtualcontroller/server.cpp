@@ -17,7 +17,7 @@ namespace virtualcontroller {
 
 namespace {
 
-constexpr int datagramsAtOnce = 16; ///< Then the event loop gets its turn.
+constexpr qint64 receiveSize = 2048; ///< Larger than any packet, so that an oversized one stays malformed.
 constexpr auto housekeepingPeriod = 500ms; ///< So that nobody waits for an hour of jobs to be caught up with.
 
 std::function<Time()> realTime()
@@ -114,16 +114,15 @@ int Server::arrived(quint16 command) const
     return found == m_arrivals.commands.end() ? 0 : found->second;
 }
 
+/// One datagram an event, and a read in every event: after two events without one a QUdpSocket never tells again.
 void Server::receive(QUdpSocket *socket)
 {
-    for (int taken = 0; taken < datagramsAtOnce && socket->hasPendingDatagrams(); ++taken) {
-        const QNetworkDatagram datagram = socket->receiveDatagram();
-        count(socket, datagram.data());
-        if (!isSilent())
-            take(socket, datagram);
-    }
-    if (socket->hasPendingDatagrams())
-        QTimer::singleShot(0, this, [this, socket] { receive(socket); });
+    const QNetworkDatagram datagram = socket->receiveDatagram(receiveSize);
+    if (!datagram.isValid())
+        return;
+    count(socket, datagram.data());
+    if (!isSilent())
+        take(socket, datagram);
 }
 
 void Server::count(QUdpSocket *socket, QByteArrayView datagram)

@@ -7,6 +7,8 @@
 #include "virtualcontroller/server.h"
 #include <QSignalSpy>
 #include <QTest>
+#include <csignal>
+#include <sys/resource.h>
 
 /// A virtual controller on real sockets and a session to its file port.
 struct FileDesk {
@@ -42,6 +44,25 @@ struct FileDesk {
     bool isStarted;
     session::UdpTransport transport;
     session::FileSession session;
+};
+
+/// Files of this process cannot grow beyond `bytes` while it lives: a full disk.
+class FullDisk
+{
+public:
+    explicit FullDisk(rlim_t bytes)
+    {
+        ::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit limit {bytes, m_before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &m_before); }
+    FullDisk(const FullDisk &) = delete;
+    FullDisk &operator=(const FullDisk &) = delete;
+
+private:
+    rlimit m_before {};
 };
 
 /// A guard that lets everything pass.

@@ -38,6 +38,8 @@ session::FilePolicy quick()
     session::FilePolicy policy;
     policy.timeout = 400ms;
     policy.repeatFloor = 4ms;
+    policy.busyLeast = 5ms;
+    policy.busyMost = 20ms;
     return policy;
 }
 
@@ -121,16 +123,22 @@ private Q_SLOTS:
     void keepsAThousandFiles_data();
     void keepsAThousandFiles();
     void goesOnAfterRefusals();
+    void keepsOddFiles();
+    void waitsWhileBusy();
+    void goesOnWithoutWhatVanished();
     void meetsBadLists_data();
     void meetsBadLists();
+    void meetsAListBrokenInAName();
     void endsWithoutABag_data();
     void endsWithoutABag();
     void waitsForNobody();
     void letsGoOfOldOnes();
     void isCancelled();
+    void survivesKills();
     void plans_data();
     void plans();
     void restoresWhatChanged();
+    void restoresNothingSpoilt();
     void stopsAtTheFirstError();
     void neverRestoresWhileAJobRuns();
     void noticesThatThePlanIsOld();
@@ -197,6 +205,46 @@ void TestBackup::goesOnAfterRefusals()
     QCOMPARE(bag->info().model, QStringLiteral("YRC1000"));
 }
 
+/// Names that other file systems cannot carry or tell apart, and all line ends.
+void TestBackup::keepsOddFiles()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    const QByteArray job = jobText("A");
+    desk.files() = {{"CON.JBI", job}, {"A..JBI", job}, {"WELD.JBI", "1"}, {"weld.JBI", "2"}, {"Weld.JBI", "3"},
+        {"\x83\x65.JBI", job}, {QByteArray(32, 'N') + ".JBI", job}, {"100%.JBI", job}, {"A:B.DAT", "//A\r\n"},
+        {"LF.JBI", QByteArray(job).replace("\r\n", "\n")}, {"CUT.JBI", job.chopped(2)}, {"HALF.JBI", job.chopped(1)},
+        {"CR.DAT", "//A\rB\r"}, {"BLANKS.DAT", "//A \t\r\n\r\n\r\n"}};
+    const FileSet set = backedUp(desk, root.path());
+    for (const auto &[name, content] : desk.files())
+        QVERIFY2(contentsOf(set)[name] == content, name);
+    QCOMPARE(set.hashes.size(), desk.files().size());
+    QVERIFY(verify(Archive(root.path(), QStringLiteral("CELL 4")).entries().value(0).path).isGood());
+}
+
+void TestBackup::waitsWhileBusy()
+{
+    FileDesk desk {*Faults::parse(u"files request refuse code=0xE444 after=9 times=4"), quick()};
+    const QTemporaryDir root;
+    desk.files() = manyFiles(20);
+    QVERIFY(contentsOf(backedUp(desk, root.path())) == desk.files());
+}
+
+void TestBackup::goesOnWithoutWhatVanished()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    desk.files() = {{"A.JBI", jobText("A")}, {"B.JBI", jobText("B")}, {"C.JBI", jobText("C")}};
+    Backup backup {desk.session, orderFor(root.path())};
+    connect(&backup, &Operation::progressed, this, [&] { desk.files().erase("B.JBI"); });
+    QVERIFY(FileDesk::finish(backup));
+    QVERIFY(backup.state() == OperationState::Done);
+    const auto bag = Bag::open(backup.path());
+    QVERIFY(contentsOf(bag->files()) == desk.files());
+    QVERIFY(bag->files().unread == std::set {fileName("B.JBI")});
+    QCOMPARE(bag->info().failures(), 1);
+}
+
 void TestBackup::meetsBadLists_data()
 {
     QTest::addColumn<QByteArrayList>("names");
@@ -234,10 +282,27 @@ void TestBackup::meetsBadLists()
         QDir {root.path()}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList {QStringLiteral("CELL 4")});
 }
 
+/// What is left of the name is asked for, refused, and said to be missing.
+void TestBackup::meetsAListBrokenInAName()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    desk.files() = {{"A.JBI", jobText("A")}, {"HALF\r\n.JBI", jobText("HALF")}};
+    Backup backup {desk.session, orderFor(root.path())};
+    QVERIFY(FileDesk::finish(backup));
+    QVERIFY(backup.state() == OperationState::Done);
+    QCOMPARE(backup.info().failures(), 2);
+    const auto bag = Bag::open(backup.path());
+    QCOMPARE(bag->files().hashes.size(), std::size_t(1));
+    QVERIFY(bag->files().unread.contains(fileName("HALF")));
+}
+
 void TestBackup::endsWithoutABag_data()
 {
     QTest::addColumn<QString>("faults");
     QTest::addColumn<int>("kind");
+    QTest::addRow("busy for ever") << QStringLiteral("files request refuse code=0xE444") << int(ErrorKind::Refused);
+    QTest::addRow("full disk") << QStringLiteral("seed=1") << int(ErrorKind::LocalFile);
     QTest::addRow("remote off") << QStringLiteral("files request refuse code=0xE2B2") << int(ErrorKind::Refused);
     QTest::addRow("silent") << QStringLiteral("files request lose") << int(ErrorKind::NoAnswer);
     QTest::addRow("silent after a while") << QStringLiteral("files request lose after=20") << int(ErrorKind::NoAnswer);
@@ -255,7 +320,10 @@ void TestBackup::endsWithoutABag()
     if (!faults.isEmpty())
         desk.files() = manyFiles(20);
     Backup backup {desk.session, orderFor(root.path())};
-    QVERIFY(FileDesk::finish(backup));
+    {
+        const FullDisk disk {kind == int(ErrorKind::LocalFile) ? 1000 : RLIM_INFINITY};
+        QVERIFY(FileDesk::finish(backup));
+    }
     QVERIFY(backup.state() == OperationState::Failed);
     QCOMPARE(int(backup.error()->kind), kind);
     QVERIFY(Archive(root.path(), QStringLiteral("CELL 4")).entries().isEmpty());
@@ -310,6 +378,45 @@ void TestBackup::isCancelled()
     Backup third {desk.session, orderFor(root.path())};
     QVERIFY(FileDesk::finish(third));
     QVERIFY(third.state() == OperationState::Done);
+}
+
+/// This program itself, started to write backups until it is killed: see main().
+void TestBackup::survivesKills()
+{
+    FileDesk desk;
+    desk.files() = manyFiles(8);
+    desk.server.memory().settings.transferTimeout = 30ms; // so that the dead do not keep the living waiting
+    const QTemporaryDir root;
+    const Archive archive {root.path(), QStringLiteral("CELL 4")};
+    QVERIFY(!backedUp(desk, root.path()).hashes.empty());
+    const QByteArray first = readFile(archive.entries().last().path + QStringLiteral("/manifest-sha256.txt")).value();
+    const QString firstId = archive.entries().last().id;
+    std::mt19937 random {200};
+    QSet<QString> seen;
+    for (int run = 0; run < 200; ++run) {
+        QProcess child;
+        child.start(QCoreApplication::applicationFilePath(),
+            {QStringLiteral("--write-backups"), root.path(), QString::number(desk.server.filePort())});
+        QVERIFY(child.waitForStarted());
+        // Some die before their first file, some in the third backup.
+        const qint64 steps = 1 + random() % 24;
+        while (child.bytesAvailable() < steps)
+            QVERIFY(QSignalSpy(&child, &QProcess::readyRead).wait(30000));
+        child.kill();
+        QVERIFY(child.waitForFinished());
+        for (const ArchiveEntry &entry : archive.entries()) {
+            if (seen.contains(entry.id))
+                continue;
+            seen.insert(entry.id);
+            QVERIFY2(entry.isReadable && verify(entry.path).isGood(), qPrintable(entry.path));
+        }
+    }
+    QCOMPARE(readFile(archive.folder() + u'/' + firstId + QStringLiteral("/manifest-sha256.txt")).value(), first);
+    for (const ArchiveEntry &entry : archive.entries())
+        QVERIFY(verify(entry.path).isGood());
+    const auto whole = archive.entries();
+    QVERIFY(std::ranges::count_if(whole, [](const auto &entry) { return entry.files == 8; }) > 1);
+    QVERIFY(archive.lock()); // nobody holds it any more
 }
 
 void TestBackup::plans_data()
@@ -370,6 +477,24 @@ void TestBackup::restoresWhatChanged()
     // A second time there is nothing to do.
     for (const RestoreItem &item : planFor(desk, bag))
         QVERIFY(!item.isSent());
+}
+
+/// Somebody changes the backup after the plan was made of it.
+void TestBackup::restoresNothingSpoilt()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    desk.files() = {{"A.JBI", jobText("A")}};
+    const FileSet bag = backedUp(desk, root.path());
+    desk.files()["A.JBI"] = jobText("A", 5);
+    const auto plan = planFor(desk, bag);
+    const QString path = Archive(root.path(), QStringLiteral("CELL 4")).entries().value(0).path;
+    QVERIFY(replaceFile(path + QStringLiteral("/data/A.JBI"), jobText("A", 6)));
+    Restore restore {desk.session, bag, plan, orderFor(root.path()), always()};
+    QVERIFY(FileDesk::finish(restore));
+    QVERIFY(restore.state() == OperationState::Failed);
+    QVERIFY(restore.error()->kind == ErrorKind::LocalFile);
+    QCOMPARE(desk.files()["A.JBI"], jobText("A", 5));
 }
 
 void TestBackup::stopsAtTheFirstError()
@@ -439,6 +564,37 @@ void TestBackup::noticesThatThePlanIsOld()
     QCOMPARE(desk.files()["A.JBI"], jobText("A", 9));
 }
 
-QTEST_GUILESS_MAIN(TestBackup)
+/// A byte for each file.
+void tellStep()
+{
+    std::putchar('.');
+    std::fflush(stdout);
+}
+
+/// Writes backups until somebody ends the process.
+int writeBackups(const QString &root, quint16 port)
+{
+    session::UdpTransport transport {QHostAddress {QHostAddress::LocalHost}, port};
+    session::FileSession session {transport, quick()};
+    std::unique_ptr<Backup> next;
+    const std::function<void()> again = [&] {
+        next = std::make_unique<Backup>(session, orderFor(root));
+        QObject::connect(next.get(), &Operation::progressed, qApp, tellStep);
+        QObject::connect(next.get(), &Operation::finished, qApp, [&] { QTimer::singleShot(1, qApp, again); });
+        next->start();
+    };
+    again();
+    return QCoreApplication::exec();
+}
+
+int main(int argc, char *argv[])
+{
+    QCoreApplication application {argc, argv};
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.value(1) == u"--write-backups")
+        return writeBackups(arguments.value(2), quint16(arguments.value(3).toUInt()));
+    TestBackup test;
+    return QTest::qExec(&test, argc, argv);
+}
 
 #include "tst_backup.moc"

@@ -66,6 +66,7 @@ private Q_SLOTS:
     void cleansNoise_data();
     void cleansNoise();
     void comparesSets();
+    void findsExactlyTheChanges();
     void comparesText();
     void explainsJobs_data();
     void explainsJobs();
@@ -184,6 +185,31 @@ void TestCompare::comparesSets()
     QVERIFY(compare(older, newer, {}) == expected);
     QCOMPARE(differences(expected), 5);
     QVERIFY(compare(older, newer, NoiseFilter::none())[2].change == Change::Changed);
+}
+
+/// Two generated sets of files, changed at random in ways that are known beforehand.
+void TestCompare::findsExactlyTheChanges()
+{
+    std::mt19937 random {9};
+    for (int run = 0; run < 50; ++run) {
+        std::map<FileName, QByteArray> older;
+        std::map<FileName, QByteArray> newer;
+        QList<FileChange> expected;
+        for (int number = 0; number < 200; ++number) {
+            const FileName name = fileName("F" + QByteArray::number(1000 + number) + ".JBI");
+            const QByteArray content = "///DATE 1\r\nSET B000 " + QByteArray::number(int(random() % 100)) + "\r\n";
+            using enum Change;
+            const Change change = std::array {Same, Same, Same, New, Gone, Changed, OnlyNoise}[random() % 7];
+            if (change != New)
+                older[name] = content;
+            if (change == Changed)
+                newer[name] = content + "END\r\n";
+            else if (change != Gone)
+                newer[name] = change == OnlyNoise ? QByteArray(content).replace("DATE 1", "DATE 2") : content;
+            expected << FileChange {name, change};
+        }
+        QVERIFY(compare(fileSetOf(older), fileSetOf(newer), {}) == expected);
+    }
 }
 
 void TestCompare::comparesText()

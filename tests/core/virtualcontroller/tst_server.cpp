@@ -60,6 +60,7 @@ private Q_SLOTS:
     void showsADemoThatMoves();
     void answersEachClient();
     void answersManyAtOnce();
+    void listensAfterABurst();
     void servesFiles();
     void countsWhatArrivesBeforeFaults();
     void keepsSilent();
@@ -140,6 +141,22 @@ void ServerTest::answersManyAtOnce()
         QCOMPARE(protocol::parseReply(reply)->framing.id, quint8(number));
     }
     QCOMPARE(server.arrived(0x72), 50);
+}
+
+/// However many came together and whoever told of them: the next one is heard too.
+void ServerTest::listensAfterABurst()
+{
+    Server server {onFreePorts()};
+    QVERIFY(server.start());
+    Client client;
+    for (int burst = 1; burst <= 40; ++burst) {
+        for (int number = 0; number < burst; ++number)
+            client.send(server.port(), status);
+        for (int number = 0; number < burst; ++number)
+            QVERIFY(client.receive().isValid());
+        QVERIFY2(client.ask(server.port(), status).isValid(), qPrintable(QString::number(burst)));
+        QVERIFY2(client.ask(server.port(), status).isValid(), qPrintable(QString::number(burst)));
+    }
 }
 
 void ServerTest::servesFiles()
