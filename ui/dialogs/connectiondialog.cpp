@@ -140,6 +140,8 @@ QString ConnectionDialog::complaint(const Profile &profile) const
     const QString trouble = settings::complaint(profile);
     if (!trouble.isEmpty())
         return trouble;
+    if (!motion::limits(profile.motion))
+        return tr("A motion limit must be a number above 0, and each side of the box must begin before it ends.");
     if (profile.name != selectedName() && m_store.find(profile.name))
         return tr("There is another controller with the name “%1”.").arg(profile.name);
     return {};

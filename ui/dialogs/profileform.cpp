@@ -3,6 +3,8 @@
 #include "ui/dialogs/profileform.h"
 
 #include "protocol/dialect.h"
+#include "ui/dialogs/motionform.h"
+#include "ui/widgets/text.h"
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLineEdit>
@@ -50,16 +52,20 @@ ProfileForm::ProfileForm(QWidget *parent)
     m_repeats = addNumber(form, "profileRepeats", tr("Repeats of a read"), 0, 10);
     m_window = addNumber(form, "profileWindow", tr("Requests outstanding at once"), 1, 8);
     m_ceiling = addNumber(form, "profileCeiling", tr("Requests a second, at most"), 1, 10000);
+    m_motion = new MotionForm;
+    form->addRow(widgets::text(tr("Jog and move, at most"), ui::Type::Heading, ui::Role::Text2));
+    form->addRow(m_motion);
+    connect(m_motion, &MotionForm::edited, this, &ProfileForm::edited);
     const auto tell = [this] {
         if (!m_isFilling)
             Q_EMIT edited();
     };
     connect(m_name, &QLineEdit::textChanged, this, tell);
     connect(m_host, &QLineEdit::textChanged, this, tell);
-    const auto choices = findChildren<QComboBox *>();
+    const auto choices = findChildren<QComboBox *>(Qt::FindDirectChildrenOnly);
     for (const QComboBox *choice : choices)
         connect(choice, &QComboBox::currentIndexChanged, this, tell);
-    const auto numbers = findChildren<QSpinBox *>();
+    const auto numbers = findChildren<QSpinBox *>(Qt::FindDirectChildrenOnly);
     for (const QSpinBox *number : numbers)
         connect(number, &QSpinBox::valueChanged, this, tell);
 }
@@ -103,6 +109,7 @@ void ProfileForm::setProfile(const settings::Profile &profile)
     m_repeats->setValue(profile.readRepeats);
     m_window->setValue(profile.window);
     m_ceiling->setValue(profile.requestsPerSecond);
+    m_motion->setWishes(profile.motion);
 }
 
 settings::Profile ProfileForm::profile() const
@@ -122,6 +129,7 @@ settings::Profile ProfileForm::profile() const
     profile.readRepeats = m_repeats->value();
     profile.window = m_window->value();
     profile.requestsPerSecond = m_ceiling->value();
+    profile.motion = m_motion->wishes();
     if (profile.numbering != m_original.numbering || profile.host != m_original.host)
         profile.numberingVerified = {}; // it was compared with something else
     return profile;

@@ -12,6 +12,8 @@ class QSpinBox;
 
 namespace dialogs {
 
+class MotionForm;
+
 /// The fields of one profile, with their ranges.
 class ProfileForm : public QWidget
 {
@@ -45,6 +47,7 @@ private:
     QSpinBox *m_repeats;
     QSpinBox *m_window;
     QSpinBox *m_ceiling;
+    MotionForm *m_motion;
     settings::Profile m_original; ///< For what the form does not show.
     bool m_isFilling = false;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "settings/profilestore.h"
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -21,6 +23,10 @@ Profile weldCell()
     profile.window = 4;
     profile.encoding = protocol::Encoding::ShiftJis;
     profile.numbering = protocol::Numbering::FromOne;
+    profile.motion.toolSpeed = 50;
+    profile.motion.stepPulses = 200;
+    profile.motion.box = motion::Box {{500, -400, 0}, {1400.5, 400, 1200}};
+    profile.motion.areFramesChecked = true;
     return profile;
 }
 
@@ -64,6 +70,37 @@ private Q_SLOTS:
         store.save(weldCell());
         QCOMPARE(store.profiles().size(), 1);
         QVERIFY(file.contains(QStringLiteral("profiles/broken")));
+    }
+
+    /// They stay, and nothing moves: a profile is more than its limits.
+    void limitsThatCannotBeUnderstood_data()
+    {
+        QTest::addColumn<QByteArray>("motion");
+        QTest::newRow("a word") << QByteArray {R"({"toolSpeed": "fast"})"};
+        QTest::newRow("NaN as text") << QByteArray {R"({"stepLength": "NaN"})"};
+        QTest::newRow("negative") << QByteArray {R"({"jointSpeed": -1})"};
+        QTest::newRow("0") << QByteArray {R"({"rotationSpeed": 0})"};
+        QTest::newRow("null") << QByteArray {R"({"stepAngle": null})"};
+        QTest::newRow("a box without inside") << QByteArray {R"({"box": {"least": [0, 0, 0], "most": [1, 0, 1]}})"};
+        QTest::newRow("half a box") << QByteArray {R"({"box": {"least": [0, 0, 0]}})"};
+        QTest::newRow("a box of words") << QByteArray {R"({"box": "small"})"};
+    }
+    void limitsThatCannotBeUnderstood()
+    {
+        QFETCH(QByteArray, motion);
+        QJsonObject json = toJson(weldCell());
+        json[QStringLiteral("motion")] = QJsonDocument::fromJson(motion).object();
+        const auto profile = profileFromJson(json);
+        QVERIFY(profile);
+        QVERIFY(!motion::limits(profile->motion));
+    }
+    void limitsAboveTheCeilingAreLowered()
+    {
+        QJsonObject json = toJson(weldCell());
+        json[QStringLiteral("motion")] = QJsonObject {{QStringLiteral("toolSpeed"), 1000}};
+        QCOMPARE(motion::limits(profileFromJson(json)->motion)->toolSpeed, 250.0);
+        json.remove(QStringLiteral("motion"));
+        QCOMPARE(motion::limits(profileFromJson(json)->motion)->toolSpeed, 250.0);
     }
 
     void badValues_data()
