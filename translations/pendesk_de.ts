@@ -622,6 +622,10 @@
             <source>New controller</source>
             <translation>Neue Steuerung</translation>
         </message>
+        <message>
+            <source>A motion limit must be a number above 0, and each side of the box must begin before it ends.</source>
+            <translation>Eine Bewegungsgrenze muss eine Zahl über 0 sein, und jede Seite des Grenzquaders muss beginnen, bevor sie endet.</translation>
+        </message>
     </context>
     <context>
         <name>dialogs::DiagnosisDialog</name>
@@ -703,6 +707,14 @@
         <message>
             <source>New value</source>
             <translation>Neuer Wert</translation>
+        </message>
+        <message>
+            <source>Lines that cannot be read</source>
+            <translation>Nicht lesbare Zeilen</translation>
+        </message>
+        <message>
+            <source>Values that would change</source>
+            <translation>Werte, die sich ändern würden</translation>
         </message>
     </context>
     <context>
@@ -800,6 +812,248 @@
         <message>
             <source>Pendesk %1, diagnosis of %2 (%3)</source>
             <translation>Pendesk %1, Diagnose von %2 (%3)</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::MotionForm</name>
+        <message>
+            <source>The tool point must stay in this box (base frame, mm)</source>
+            <translation>Der Werkzeugpunkt muss in diesem Grenzquader bleiben (Basiskoordinatensystem, mm)</translation>
+        </message>
+        <message>
+            <source>User and tool frames were checked on this robot</source>
+            <translation>Benutzer- und Werkzeugkoordinatensystem wurden an diesem Roboter geprüft</translation>
+        </message>
+        <message>
+            <source>Speed, mm/s</source>
+            <translation>Geschwindigkeit, mm/s</translation>
+        </message>
+        <message>
+            <source>Rotation speed, °/s</source>
+            <translation>Drehgeschwindigkeit, °/s</translation>
+        </message>
+        <message>
+            <source>Joint speed, %</source>
+            <translation>Achsgeschwindigkeit, %</translation>
+        </message>
+        <message>
+            <source>Jog step, mm</source>
+            <translation>Schritt im Tippbetrieb, mm</translation>
+        </message>
+        <message>
+            <source>Jog step, °</source>
+            <translation>Schritt im Tippbetrieb, °</translation>
+        </message>
+        <message>
+            <source>Jog step, pulses</source>
+            <translation>Schritt im Tippbetrieb, Impulse</translation>
+        </message>
+        <message>
+            <source>Descriptions disagree which code means the user and which the tool frame. Tick this only after a small move in both was watched at the robot.</source>
+            <translation>Die Beschreibungen sind sich nicht einig, welcher Code das Benutzer- und welcher das Werkzeugkoordinatensystem bedeutet. Haken Sie dies erst ab, nachdem am Roboter eine kleine Bewegung in beiden beobachtet wurde.</translation>
+        </message>
+        <message>
+            <source>%1, as the program</source>
+            <translation>%1, Vorgabe des Programms</translation>
+        </message>
+        <message>
+            <source>Least %1</source>
+            <translation>Kleinstes %1</translation>
+        </message>
+        <message>
+            <source>Most %1</source>
+            <translation>Größtes %1</translation>
+        </message>
+        <message>
+            <source>%1 from, to</source>
+            <translation>%1 von, bis</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::MoveSheet</name>
+        <message>
+            <source>%1 pulses</source>
+            <translation>%1 Impulse</translation>
+        </message>
+        <message>
+            <source>%1 mm · %2°</source>
+            <translation>%1 mm · %2°</translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation>Bewegen</translation>
+        </message>
+        <message>
+            <source>Stop: HOLD</source>
+            <translation>Stopp: HOLD</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Move at %1</source>
+            <translation>Bewegen an %1</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Steuerung</translation>
+        </message>
+        <message>
+            <source>Control group</source>
+            <translation>Achsgruppe</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>Von</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>Nach</translation>
+        </message>
+        <message>
+            <source>Way</source>
+            <translation>Weg</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Dauer</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Geschwindigkeit</translation>
+        </message>
+        <message>
+            <source>Box</source>
+            <translation>Grenzquader</translation>
+        </message>
+        <message>
+            <source>Stored points near the target</source>
+            <translation>Gespeicherte Punkte nahe am Ziel</translation>
+        </message>
+        <message>
+            <source>A long move, or one that nobody can measure: type %1</source>
+            <translation>Eine lange oder nicht messbare Bewegung: %1 eingeben</translation>
+        </message>
+        <message>
+            <source>With the keyboard: type %1, then F9</source>
+            <translation>Mit der Tastatur: %1 eingeben, dann F9</translation>
+        </message>
+        <message>
+            <source>HOLD stays on until it is released</source>
+            <translation>HOLD bleibt eingeschaltet, bis es aufgehoben wird</translation>
+        </message>
+        <message>
+            <source>The robot will move</source>
+            <translation>Der Roboter wird sich bewegen</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>nicht bekannt</translation>
+        </message>
+        <message>
+            <source>cannot be foretold in this frame</source>
+            <translation>in diesem Koordinatensystem nicht vorhersagbar</translation>
+        </message>
+        <message>
+            <source>about %1 s</source>
+            <translation>etwa %1 s</translation>
+        </message>
+        <message>
+            <source>not known: a percentage of joint speed</source>
+            <translation>nicht bekannt: Prozentsatz der Achsgeschwindigkeit</translation>
+        </message>
+        <message>
+            <source>not known: the target is in pulses</source>
+            <translation>nicht bekannt: Das Ziel ist in Impulsen angegeben</translation>
+        </message>
+        <message>
+            <source>%1 mm and %2° between the ends; a joint move does not go straight</source>
+            <translation>%1 mm und %2° zwischen Anfang und Ende; eine Achsbewegung verläuft nicht geradlinig</translation>
+        </message>
+        <message>
+            <source>%1 mm straight, turning %2°</source>
+            <translation>%1 mm geradlinig, Drehung um %2°</translation>
+        </message>
+        <message>
+            <source>none is set for this controller</source>
+            <translation>für diese Steuerung ist keiner festgelegt</translation>
+        </message>
+        <message>
+            <source>the whole way is inside</source>
+            <translation>der ganze Weg liegt innerhalb</translation>
+        </message>
+        <message>
+            <source>both ends are inside; the way between is not known</source>
+            <translation>Anfang und Ende liegen innerhalb; der Weg dazwischen ist nicht bekannt</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 %</source>
+            <translation>%1, höchstens %2 %</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 mm/s</source>
+            <translation>%1, höchstens %2 mm/s</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 °/s</source>
+            <translation>%1, höchstens %2 °/s</translation>
+        </message>
+        <message>
+            <source>cannot be compared</source>
+            <translation>nicht vergleichbar</translation>
+        </message>
+        <message>
+            <source>%1 at %2 mm</source>
+            <translation>%1 in %2 mm Abstand</translation>
+        </message>
+        <message>
+            <source>none in the base frame was read</source>
+            <translation>keiner im Basiskoordinatensystem gelesen</translation>
+        </message>
+        <message>
+            <source>The robot is no longer where this move begins: close, and rehearse again.</source>
+            <translation>Der Roboter steht nicht mehr dort, wo diese Bewegung beginnt: Schließen Sie, und prüfen Sie erneut vorab.</translation>
+        </message>
+        <message>
+            <source>Not sent: the place could not be read.</source>
+            <translation>Nicht gesendet: Die Position konnte nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+        <message>
+            <source>a place that was not read</source>
+            <translation>einer nicht gelesenen Position</translation>
+        </message>
+        <message>
+            <source>Under way: %1</source>
+            <translation>In Bewegung: %1</translation>
+        </message>
+        <message>
+            <source>Move sent…</source>
+            <translation>Bewegung gesendet…</translation>
+        </message>
+        <message>
+            <source>Arrived: %1</source>
+            <translation>Angekommen: %1</translation>
+        </message>
+        <message>
+            <source>Stopped at %1. That is not the target.</source>
+            <translation>Angehalten bei %1. Das ist nicht das Ziel.</translation>
+        </message>
+        <message>
+            <source>At rest at %1. Whether that is the target cannot be told in this frame.</source>
+            <translation>In Ruhe bei %1. Ob das das Ziel ist, lässt sich in diesem Koordinatensystem nicht sagen.</translation>
+        </message>
+        <message>
+            <source>No answer to the move: whether it was begun is unknown. It was sent once. Look at the robot.</source>
+            <translation>Keine Antwort auf die Bewegung: Ob sie begonnen wurde, ist unbekannt. Sie wurde einmal gesendet. Sehen Sie nach dem Roboter.</translation>
+        </message>
+        <message>
+            <source>The outcome is unknown: communication was lost, or it does not come to rest. Look at the robot.</source>
+            <translation>Der Ausgang ist unbekannt: Die Kommunikation ging verloren, oder der Roboter kommt nicht zur Ruhe. Sehen Sie nach dem Roboter.</translation>
         </message>
     </context>
     <context>
@@ -930,7 +1184,7 @@
         </message>
         <message>
             <source>Type</source>
-            <translation>Typ</translation>
+            <translation>Art</translation>
         </message>
         <message>
             <source>Stage</source>
@@ -996,6 +1250,14 @@
         <message>
             <source>The position could not be read: %1.</source>
             <translation>Die Position konnte nicht gelesen werden: %1.</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>Stellung</translation>
+        </message>
+        <message>
+            <source>Extended form</source>
+            <translation>Erweiterte Stellung</translation>
         </message>
     </context>
     <context>
@@ -1067,6 +1329,10 @@
         <message>
             <source>From %1 to %2</source>
             <translation>Von %1 bis %2</translation>
+        </message>
+        <message>
+            <source>Jog and move, at most</source>
+            <translation>Tippbetrieb und Bewegen, höchstens</translation>
         </message>
     </context>
     <context>
@@ -1845,6 +2111,19 @@
             <source>%1. %2</source>
             <translation>%1. %2</translation>
         </message>
+        <message>
+            <source>(empty)</source>
+            <translation>(leer)</translation>
+        </message>
+        <message>
+            <source>reads %1</source>
+            <translation>%1 gelesen</translation>
+        </message>
+        <message>
+            <source>→ %1</source>
+            <comment>new value</comment>
+            <translation>→ %1</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -1875,6 +2154,92 @@
         <message>
             <source>Changed</source>
             <translation>Geändert</translation>
+        </message>
+    </context>
+    <context>
+        <name>motion::JogStep</name>
+        <message>
+            <source>A step must be above 0 and at most %1 pulses.</source>
+            <translation>Ein Schritt muss größer als 0 sein und darf höchstens %1 Impulse betragen.</translation>
+        </message>
+        <message>
+            <source>A step must be above 0 and at most %1 mm.</source>
+            <translation>Ein Schritt muss größer als 0 sein und darf höchstens %1 mm betragen.</translation>
+        </message>
+        <message>
+            <source>A step must be above 0 and at most %1°.</source>
+            <translation>Ein Schritt muss größer als 0 sein und darf höchstens %1° betragen.</translation>
+        </message>
+        <message>
+            <source>The present position was not read.</source>
+            <translation>Die aktuelle Position wurde nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>The group has no such axis.</source>
+            <translation>Die Gruppe hat keine solche Achse.</translation>
+        </message>
+    </context>
+    <context>
+        <name>motion::Plan</name>
+        <message>
+            <source>The speed must be above 0 and at most %1 mm/s.</source>
+            <translation>Die Geschwindigkeit muss größer als 0 sein und darf höchstens %1 mm/s betragen.</translation>
+        </message>
+        <message>
+            <source>The rotation speed must be above 0 and at most %1 °/s.</source>
+            <translation>Die Drehgeschwindigkeit muss größer als 0 sein und darf höchstens %1 °/s betragen.</translation>
+        </message>
+        <message>
+            <source>The joint speed must be above 0 and at most %1 %.</source>
+            <translation>Die Achsgeschwindigkeit muss größer als 0 sein und darf höchstens %1 % betragen.</translation>
+        </message>
+        <message>
+            <source>Where this frame stands cannot be read over HSES, so nobody here knows how far the move would go: use the base frame or an increment.</source>
+            <translation>Wo dieses Koordinatensystem liegt, lässt sich über HSES nicht lesen; deshalb ist hier nicht bekannt, wie weit die Bewegung gehen würde: Benutzen Sie das Basiskoordinatensystem oder ein Inkrement.</translation>
+        </message>
+        <message>
+            <source>This robot stands on base axes, and HSES does not tell where they are in mm: enter where they shall be.</source>
+            <translation>Dieser Roboter steht auf Basisachsen, und HSES nennt deren Position nicht in mm: Geben Sie ein, wo sie stehen sollen.</translation>
+        </message>
+        <message>
+            <source>The position has no six axes.</source>
+            <translation>Die Position hat keine sechs Achsen.</translation>
+        </message>
+        <message>
+            <source>The tool point stands outside the box of this controller.</source>
+            <translation>Der Werkzeugpunkt steht außerhalb des Grenzquaders dieser Steuerung.</translation>
+        </message>
+        <message>
+            <source>The move would leave the box of this controller.</source>
+            <translation>Die Bewegung würde den Grenzquader dieser Steuerung verlassen.</translation>
+        </message>
+        <message>
+            <source>User and tool frames are off until the profile says that they were checked on the robot.</source>
+            <translation>Benutzer- und Werkzeugkoordinatensystem sind gesperrt, bis das Profil sagt, dass sie am Roboter geprüft wurden.</translation>
+        </message>
+        <message>
+            <source>The user frame must be from 1 to 63.</source>
+            <translation>Das Benutzerkoordinatensystem muss von 1 bis 63 sein.</translation>
+        </message>
+        <message>
+            <source>The tool must be from 0 to 63.</source>
+            <translation>Das Werkzeug muss von 0 bis 63 sein.</translation>
+        </message>
+        <message>
+            <source>A base or a station is moved in pulses.</source>
+            <translation>Eine Basisachse oder eine Station wird in Impulsen bewegt.</translation>
+        </message>
+        <message>
+            <source>The present position was not read.</source>
+            <translation>Die aktuelle Position wurde nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>A target in pulses can only be reached by a joint move: how far the tool point would go, and so how fast, is not known here.</source>
+            <translation>Ein Ziel in Impulsen lässt sich nur mit einer Achsbewegung erreichen: Wie weit und damit wie schnell sich der Werkzeugpunkt bewegen würde, ist hier nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>This controller has a box, and where pulses lead is not known here: use the base frame.</source>
+            <translation>Diese Steuerung hat einen Grenzquader, und wohin Impulse führen, ist hier nicht bekannt: Benutzen Sie das Basiskoordinatensystem.</translation>
         </message>
     </context>
     <context>
@@ -2814,6 +3179,18 @@ Vorher wird jede nach %3 kopiert.</translation>
                 <numerusform>%n Zeilen von IONAME.DAT konnten nicht gelesen werden.</numerusform>
             </translation>
         </message>
+        <message>
+            <source>Signals</source>
+            <translation>Signale</translation>
+        </message>
+        <message>
+            <source>Area of signals</source>
+            <translation>Signalbereich</translation>
+        </message>
+        <message>
+            <source>Watched signals</source>
+            <translation>Beobachtete Signale</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobCard</name>
@@ -2952,6 +3329,100 @@ Vorher wird jede nach %3 kopiert.</translation>
         </message>
     </context>
     <context>
+        <name>pages::JogCard</name>
+        <message>
+            <source>Jog</source>
+            <translation>Tippbetrieb</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Schritt</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Geschwindigkeit</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>Koordinatensystem</translation>
+        </message>
+        <message>
+            <source>Keyboard too: hold Ctrl and Space on the button that has the focus</source>
+            <translation>Auch Tastatur: Strg und Leertaste auf der Schaltfläche mit dem Fokus gedrückt halten</translation>
+        </message>
+        <message>
+            <source>Hold a button: one bounded step after another</source>
+            <translation>Schaltfläche gedrückt halten: ein begrenzter Schritt nach dem anderen</translation>
+        </message>
+        <message>
+            <source>After a lost link</source>
+            <translation>Nach Verlust der Verbindung</translation>
+        </message>
+        <message>
+            <source>Last step</source>
+            <translation>Letzter Schritt</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation>Basis</translation>
+        </message>
+        <message>
+            <source>Robot</source>
+            <translation>Roboter</translation>
+        </message>
+        <message>
+            <source>Axes (pulses)</source>
+            <translation>Achsen (Impulse)</translation>
+        </message>
+        <message>
+            <source>%1 mm · %2°</source>
+            <translation>%1 mm · %2°</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>%1 mm/s · %2 °/s</source>
+            <translation>%1 mm/s · %2 °/s</translation>
+        </message>
+        <message>
+            <source>at most one step: %1 pulses</source>
+            <translation>höchstens ein Schritt: %1 Impulse</translation>
+        </message>
+        <message>
+            <source>at most one step: %1 mm or %2°, in %3 s at most</source>
+            <translation>höchstens ein Schritt: %1 mm oder %2°, in höchstens %3 s</translation>
+        </message>
+        <message>
+            <source>Off: the profile has a motion limit that is no number above 0 (%1).</source>
+            <translation>Aus: Das Profil hat eine Bewegungsgrenze, die keine Zahl über 0 ist (%1).</translation>
+        </message>
+        <message>
+            <source>No answer to the step: whether it was taken is unknown. HOLD was sent. Look at the robot.</source>
+            <translation>Keine Antwort auf den Schritt: Ob er ausgeführt wurde, ist unbekannt. HOLD wurde gesendet. Sehen Sie nach dem Roboter.</translation>
+        </message>
+        <message>
+            <source>Step sent…</source>
+            <translation>Schritt gesendet…</translation>
+        </message>
+        <message>
+            <source>Moving…</source>
+            <translation>In Bewegung…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n step(s), at rest.</source>
+            <translation>
+                <numerusform>%n Schritt, in Ruhe.</numerusform>
+                <numerusform>%n Schritte, in Ruhe.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>None yet.</source>
+            <translation>Noch keiner.</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::JournalPage</name>
         <message>
             <source>At any time</source>
@@ -3007,7 +3478,7 @@ Vorher wird jede nach %3 kopiert.</translation>
         </message>
         <message>
             <source>Time</source>
-            <translation>Zeit</translation>
+            <translation>Dauer</translation>
         </message>
         <message>
             <source>Search</source>
@@ -3156,6 +3627,209 @@ Vorher wird jede nach %3 kopiert.</translation>
         <message>
             <source>%1 ago</source>
             <translation>vor %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::MotionPage</name>
+        <message>
+            <source>Remote motion in automatic operation. The pendant’s enabling switch does not protect anyone here. Nobody may be inside the fence.</source>
+            <translation>Fernbewegung im Automatikbetrieb. Der Zustimmungsschalter des Programmierhandgeräts schützt hier niemanden. Niemand darf sich innerhalb des Schutzzauns aufhalten.</translation>
+        </message>
+        <message>
+            <source>Before each step</source>
+            <translation>Vor jedem Schritt</translation>
+        </message>
+        <message>
+            <source>Control group that moves</source>
+            <translation>Achsgruppe, die sich bewegt</translation>
+        </message>
+        <message>
+            <source>Control group</source>
+            <translation>Achsgruppe</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::MoveCard</name>
+        <message>
+            <source>Move</source>
+            <translation>Bewegen</translation>
+        </message>
+        <message>
+            <source>Type of the move</source>
+            <translation>Art der Bewegung</translation>
+        </message>
+        <message>
+            <source>Frame of the target</source>
+            <translation>Koordinatensystem des Ziels</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>Werkzeug</translation>
+        </message>
+        <message>
+            <source>User frame</source>
+            <translation>Benutzerkoordinatensystem</translation>
+        </message>
+        <message>
+            <source>Base axes in mm</source>
+            <translation>Basisachsen in mm</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>P-Variable</translation>
+        </message>
+        <message>
+            <source>Rehearse…</source>
+            <translation>Vorab prüfen…</translation>
+        </message>
+        <message>
+            <source>Joint</source>
+            <translation>Achsbewegung</translation>
+        </message>
+        <message>
+            <source>Straight</source>
+            <translation>Geradlinig</translation>
+        </message>
+        <message>
+            <source>Straight, increment</source>
+            <translation>Geradlinig, Inkrement</translation>
+        </message>
+        <message>
+            <source>Base frame</source>
+            <translation>Basiskoordinatensystem</translation>
+        </message>
+        <message>
+            <source>Robot frame</source>
+            <translation>Roboterkoordinatensystem</translation>
+        </message>
+        <message>
+            <source>Tool frame</source>
+            <translation>Werkzeugkoordinatensystem</translation>
+        </message>
+        <message>
+            <source>Pulses</source>
+            <translation>Impulse</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>Koordinatensystem</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>jetzt</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <source>change</source>
+            <translation>Änderung</translation>
+        </message>
+        <message>
+            <source>Speed in mm/s</source>
+            <translation>Geschwindigkeit in mm/s</translation>
+        </message>
+        <message>
+            <source>Rotation speed in °/s</source>
+            <translation>Drehgeschwindigkeit in °/s</translation>
+        </message>
+        <message>
+            <source>Joint speed in %</source>
+            <translation>Achsgeschwindigkeit in %</translation>
+        </message>
+        <message>
+            <source>mm/s, at most %1</source>
+            <translation>mm/s, höchstens %1</translation>
+        </message>
+        <message>
+            <source>°/s, at most %1</source>
+            <translation>°/s, höchstens %1</translation>
+        </message>
+        <message>
+            <source>% of joint speed, at most %1</source>
+            <translation>% der Achsgeschwindigkeit, höchstens %1</translation>
+        </message>
+        <message>
+            <source>Take the present position</source>
+            <translation>Aktuelle Position übernehmen</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>P übernehmen</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>Frühere Positionen</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>Aktuelle Position als P speichern</translation>
+        </message>
+        <message>
+            <source>Target of %1 in %2</source>
+            <translation>Ziel von %1 in %2</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>%1 wird gelesen…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>%1 konnte nicht gelesen werden: %2.</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1 ist in einem anderen Koordinatensystem (%2): Wählen Sie zum Übernehmen dieses Koordinatensystem und eine absolute Bewegung.</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>Das Ziel ist %1.</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>Nur die aktuelle Position eines Roboters lässt sich speichern, sobald sie gelesen wurde.</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1 wurde geschrieben und zurückgelesen.</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1 wurde nicht geprüft: %2.</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1 wurde geschrieben, aber ein anderer Wert wurde zurückgelesen.</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>In diesem Koordinatensystem hat noch keine Bewegung begonnen</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>axis: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>There are three base axes at most.</source>
+            <translation>Es gibt höchstens drei Basisachsen.</translation>
+        </message>
+        <message>
+            <source>Base axes: %1</source>
+            <translation>Basisachsen: %1</translation>
+        </message>
+        <message>
+            <source>Off: the profile has a motion limit that is no number above 0 (%1).</source>
+            <translation>Aus: Das Profil hat eine Bewegungsgrenze, die keine Zahl über 0 ist (%1).</translation>
+        </message>
+        <message>
+            <source>Form: %1</source>
+            <translation>Stellung: %1</translation>
         </message>
     </context>
     <context>
@@ -3715,12 +4389,23 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <translation>CSV-Dateien (*.csv)</translation>
         </message>
         <message>
-            <source>%1 cannot be read: %2.</source>
-            <translation>%1 kann nicht gelesen werden: %2.</translation>
-        </message>
-        <message>
             <source>Export values</source>
             <translation>Werte exportieren</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>Register</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>Variablen</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariableTransfer</name>
+        <message>
+            <source>%1 cannot be read: %2.</source>
+            <translation>%1 kann nicht gelesen werden: %2.</translation>
         </message>
         <message>
             <source>%1 was written.</source>
@@ -3729,6 +4414,13 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <message>
             <source>%1 cannot be written: %2.</source>
             <translation>%1 kann nicht geschrieben werden: %2.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading %n variable(s)…</source>
+            <translation>
+                <numerusform>%n Variable wird gelesen…</numerusform>
+                <numerusform>%n Variablen werden gelesen…</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -3784,6 +4476,10 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <message>
             <source>Numbering verified %1: number %2 on the network is B000.</source>
             <translation>Nummerierung geprüft %1: Nummer %2 im Netzwerk ist B000.</translation>
+        </message>
+        <message>
+            <source>Kind of variable</source>
+            <translation>Art der Variablen</translation>
         </message>
     </context>
     <context>
@@ -3845,7 +4541,7 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
         <message>
             <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk: innerhalb von 20 s keine Steuerung live: %1.</translation>
+            <translation>pendesk: innerhalb von 5 s keine Steuerung live: %1.</translation>
         </message>
         <message>
             <source>pendesk: the folder %1 cannot be made.</source>
@@ -6142,6 +6838,17 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         </message>
     </context>
     <context>
+        <name>widgets::JogPad</name>
+        <message>
+            <source>Jog %1 forward</source>
+            <translation>Tippbetrieb %1 vorwärts</translation>
+        </message>
+        <message>
+            <source>Jog %1 back</source>
+            <translation>Tippbetrieb %1 rückwärts</translation>
+        </message>
+    </context>
+    <context>
         <name>widgets::LogicStrip</name>
         <message>
             <source>The watched signals over the last minute</source>
@@ -6205,6 +6912,14 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         <name>widgets::Rows</name>
         <message>
             <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Segments</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>what is chosen: the choice</comment>
             <translation>%1: %2</translation>
         </message>
     </context>

@@ -619,6 +619,10 @@
             <source>New controller</source>
             <translation>新しいコントローラ</translation>
         </message>
+        <message>
+            <source>A motion limit must be a number above 0, and each side of the box must begin before it ends.</source>
+            <translation>動作の制限値は0より大きい数にし、許容範囲の各辺は下限を上限より小さくしてください。</translation>
+        </message>
     </context>
     <context>
         <name>dialogs::DiagnosisDialog</name>
@@ -696,6 +700,14 @@
         <message>
             <source>New value</source>
             <translation>新しい値</translation>
+        </message>
+        <message>
+            <source>Lines that cannot be read</source>
+            <translation>読み取れない行</translation>
+        </message>
+        <message>
+            <source>Values that would change</source>
+            <translation>変わる値</translation>
         </message>
     </context>
     <context>
@@ -793,6 +805,248 @@
         <message>
             <source>Pendesk %1, diagnosis of %2 (%3)</source>
             <translation>Pendesk %1、%2の診断 (%3)</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::MotionForm</name>
+        <message>
+            <source>The tool point must stay in this box (base frame, mm)</source>
+            <translation>制御点をこの許容範囲の中に限る (ベース座標、mm)</translation>
+        </message>
+        <message>
+            <source>User and tool frames were checked on this robot</source>
+            <translation>ユーザ座標とツール座標をこのロボットで確認済み</translation>
+        </message>
+        <message>
+            <source>Speed, mm/s</source>
+            <translation>速度、mm/s</translation>
+        </message>
+        <message>
+            <source>Rotation speed, °/s</source>
+            <translation>回転速度、°/s</translation>
+        </message>
+        <message>
+            <source>Joint speed, %</source>
+            <translation>関節速度、%</translation>
+        </message>
+        <message>
+            <source>Jog step, mm</source>
+            <translation>ジョグのステップ、mm</translation>
+        </message>
+        <message>
+            <source>Jog step, °</source>
+            <translation>ジョグのステップ、°</translation>
+        </message>
+        <message>
+            <source>Jog step, pulses</source>
+            <translation>ジョグのステップ、パルス</translation>
+        </message>
+        <message>
+            <source>Descriptions disagree which code means the user and which the tool frame. Tick this only after a small move in both was watched at the robot.</source>
+            <translation>どのコードがユーザ座標でどのコードがツール座標かは、資料によって異なります。両方の座標での小さな移動をロボットのそばで見て確認した後にだけ、チェックを付けてください。</translation>
+        </message>
+        <message>
+            <source>%1, as the program</source>
+            <translation>%1 (このプログラムの既定値)</translation>
+        </message>
+        <message>
+            <source>Least %1</source>
+            <translation>%1の下限</translation>
+        </message>
+        <message>
+            <source>Most %1</source>
+            <translation>%1の上限</translation>
+        </message>
+        <message>
+            <source>%1 from, to</source>
+            <translation>%1の下限、上限</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::MoveSheet</name>
+        <message>
+            <source>%1 pulses</source>
+            <translation>%1パルス</translation>
+        </message>
+        <message>
+            <source>%1 mm · %2°</source>
+            <translation>%1 mm · %2°</translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation>移動</translation>
+        </message>
+        <message>
+            <source>Stop: HOLD</source>
+            <translation>停止: HOLD</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>キャンセル</translation>
+        </message>
+        <message>
+            <source>Move at %1</source>
+            <translation>移動 — %1</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>コントローラ</translation>
+        </message>
+        <message>
+            <source>Control group</source>
+            <translation>制御グループ</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>移動元</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>移動先</translation>
+        </message>
+        <message>
+            <source>Way</source>
+            <translation>経路</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>所要時間</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>Box</source>
+            <translation>許容範囲</translation>
+        </message>
+        <message>
+            <source>Stored points near the target</source>
+            <translation>目標付近の登録点</translation>
+        </message>
+        <message>
+            <source>A long move, or one that nobody can measure: type %1</source>
+            <translation>長い移動、または長さの分からない移動です: %1と入力します</translation>
+        </message>
+        <message>
+            <source>With the keyboard: type %1, then F9</source>
+            <translation>キーボードの場合: %1と入力し、F9を押します</translation>
+        </message>
+        <message>
+            <source>HOLD stays on until it is released</source>
+            <translation>HOLDは解除するまで有効です</translation>
+        </message>
+        <message>
+            <source>The robot will move</source>
+            <translation>ロボットが動きます</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>不明</translation>
+        </message>
+        <message>
+            <source>cannot be foretold in this frame</source>
+            <translation>この座標では予測できません</translation>
+        </message>
+        <message>
+            <source>about %1 s</source>
+            <translation>約%1 秒</translation>
+        </message>
+        <message>
+            <source>not known: a percentage of joint speed</source>
+            <translation>不明: 関節速度の割合での指定</translation>
+        </message>
+        <message>
+            <source>not known: the target is in pulses</source>
+            <translation>不明: 目標がパルスでの指定</translation>
+        </message>
+        <message>
+            <source>%1 mm and %2° between the ends; a joint move does not go straight</source>
+            <translation>両端の間は%1 mm、%2°。関節動作は直線では動きません</translation>
+        </message>
+        <message>
+            <source>%1 mm straight, turning %2°</source>
+            <translation>直線で%1 mm、回転%2°</translation>
+        </message>
+        <message>
+            <source>none is set for this controller</source>
+            <translation>このコントローラには設定されていません</translation>
+        </message>
+        <message>
+            <source>the whole way is inside</source>
+            <translation>経路全体が範囲内です</translation>
+        </message>
+        <message>
+            <source>both ends are inside; the way between is not known</source>
+            <translation>両端は範囲内です。その間の経路は不明です</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 %</source>
+            <translation>%1 (上限 %2 %)</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 mm/s</source>
+            <translation>%1 (上限 %2 mm/s)</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 °/s</source>
+            <translation>%1 (上限 %2 °/s)</translation>
+        </message>
+        <message>
+            <source>cannot be compared</source>
+            <translation>比較できません</translation>
+        </message>
+        <message>
+            <source>%1 at %2 mm</source>
+            <translation>%1 (距離 %2 mm)</translation>
+        </message>
+        <message>
+            <source>none in the base frame was read</source>
+            <translation>ベース座標の登録点は読み出していません</translation>
+        </message>
+        <message>
+            <source>The robot is no longer where this move begins: close, and rehearse again.</source>
+            <translation>ロボットはもうこの移動の開始位置にいません。閉じて、もう一度事前確認を行ってください。</translation>
+        </message>
+        <message>
+            <source>Not sent: the place could not be read.</source>
+            <translation>送信していません: 位置を読み出せませんでした。</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>閉じる</translation>
+        </message>
+        <message>
+            <source>a place that was not read</source>
+            <translation>読み出していない位置</translation>
+        </message>
+        <message>
+            <source>Under way: %1</source>
+            <translation>移動中: %1</translation>
+        </message>
+        <message>
+            <source>Move sent…</source>
+            <translation>移動を送信しました…</translation>
+        </message>
+        <message>
+            <source>Arrived: %1</source>
+            <translation>到着: %1</translation>
+        </message>
+        <message>
+            <source>Stopped at %1. That is not the target.</source>
+            <translation>%1で停止しました。目標の位置ではありません。</translation>
+        </message>
+        <message>
+            <source>At rest at %1. Whether that is the target cannot be told in this frame.</source>
+            <translation>%1で静止しています。目標の位置かどうかは、この座標では判定できません。</translation>
+        </message>
+        <message>
+            <source>No answer to the move: whether it was begun is unknown. It was sent once. Look at the robot.</source>
+            <translation>移動への応答がありません。移動を始めたかどうかは不明です。送信は1回だけです。ロボットを確認してください。</translation>
+        </message>
+        <message>
+            <source>The outcome is unknown: communication was lost, or it does not come to rest. Look at the robot.</source>
+            <translation>結果は不明です。通信が途絶したか、ロボットが静止しません。ロボットを確認してください。</translation>
         </message>
     </context>
     <context>
@@ -922,7 +1176,7 @@
         </message>
         <message>
             <source>Type</source>
-            <translation>タイプ</translation>
+            <translation>種類</translation>
         </message>
         <message>
             <source>Stage</source>
@@ -988,6 +1242,14 @@
         <message>
             <source>The position could not be read: %1.</source>
             <translation>位置を読み出せませんでした: %1。</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>形態</translation>
+        </message>
+        <message>
+            <source>Extended form</source>
+            <translation>拡張形態</translation>
         </message>
     </context>
     <context>
@@ -1059,6 +1321,10 @@
         <message>
             <source>From %1 to %2</source>
             <translation>%1から%2まで</translation>
+        </message>
+        <message>
+            <source>Jog and move, at most</source>
+            <translation>ジョグと移動の上限</translation>
         </message>
     </context>
     <context>
@@ -1832,6 +2098,19 @@
             <source>%1. %2</source>
             <translation>%1。%2</translation>
         </message>
+        <message>
+            <source>(empty)</source>
+            <translation>(空)</translation>
+        </message>
+        <message>
+            <source>reads %1</source>
+            <translation>読出し %1</translation>
+        </message>
+        <message>
+            <source>→ %1</source>
+            <comment>new value</comment>
+            <translation>→ %1</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -1862,6 +2141,92 @@
         <message>
             <source>Changed</source>
             <translation>変更時刻</translation>
+        </message>
+    </context>
+    <context>
+        <name>motion::JogStep</name>
+        <message>
+            <source>A step must be above 0 and at most %1 pulses.</source>
+            <translation>ステップは0より大きく、%1パルス以下にしてください。</translation>
+        </message>
+        <message>
+            <source>A step must be above 0 and at most %1 mm.</source>
+            <translation>ステップは0より大きく、%1 mm以下にしてください。</translation>
+        </message>
+        <message>
+            <source>A step must be above 0 and at most %1°.</source>
+            <translation>ステップは0より大きく、%1°以下にしてください。</translation>
+        </message>
+        <message>
+            <source>The present position was not read.</source>
+            <translation>現在位置を読み出していません。</translation>
+        </message>
+        <message>
+            <source>The group has no such axis.</source>
+            <translation>このグループにその軸はありません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>motion::Plan</name>
+        <message>
+            <source>The speed must be above 0 and at most %1 mm/s.</source>
+            <translation>速度は0より大きく、%1 mm/s以下にしてください。</translation>
+        </message>
+        <message>
+            <source>The rotation speed must be above 0 and at most %1 °/s.</source>
+            <translation>回転速度は0より大きく、%1 °/s以下にしてください。</translation>
+        </message>
+        <message>
+            <source>The joint speed must be above 0 and at most %1 %.</source>
+            <translation>関節速度は0より大きく、%1 %以下にしてください。</translation>
+        </message>
+        <message>
+            <source>Where this frame stands cannot be read over HSES, so nobody here knows how far the move would go: use the base frame or an increment.</source>
+            <translation>この座標の位置はHSESでは読み出せないため、移動がどこまで及ぶかはここでは分かりません。ベース座標または増分を使ってください。</translation>
+        </message>
+        <message>
+            <source>This robot stands on base axes, and HSES does not tell where they are in mm: enter where they shall be.</source>
+            <translation>このロボットはベース軸の上にあり、HSESはベース軸のmm単位の位置を知らせません。ベース軸の移動先の位置を入力してください。</translation>
+        </message>
+        <message>
+            <source>The position has no six axes.</source>
+            <translation>この位置には6軸の値がありません。</translation>
+        </message>
+        <message>
+            <source>The tool point stands outside the box of this controller.</source>
+            <translation>制御点がこのコントローラの許容範囲の外にあります。</translation>
+        </message>
+        <message>
+            <source>The move would leave the box of this controller.</source>
+            <translation>この移動はコントローラの許容範囲の外に出ます。</translation>
+        </message>
+        <message>
+            <source>User and tool frames are off until the profile says that they were checked on the robot.</source>
+            <translation>ユーザ座標とツール座標は、ロボットで確認済みとプロファイルで指定するまで使えません。</translation>
+        </message>
+        <message>
+            <source>The user frame must be from 1 to 63.</source>
+            <translation>ユーザ座標は1から63までにしてください。</translation>
+        </message>
+        <message>
+            <source>The tool must be from 0 to 63.</source>
+            <translation>ツールは0から63までにしてください。</translation>
+        </message>
+        <message>
+            <source>A base or a station is moved in pulses.</source>
+            <translation>ベースまたはステーションはパルスで移動します。</translation>
+        </message>
+        <message>
+            <source>The present position was not read.</source>
+            <translation>現在位置を読み出していません。</translation>
+        </message>
+        <message>
+            <source>A target in pulses can only be reached by a joint move: how far the tool point would go, and so how fast, is not known here.</source>
+            <translation>パルスの目標には関節動作でしか移動できません。制御点がどれだけ動くか、したがってどの速さで動くかは、ここでは分かりません。</translation>
+        </message>
+        <message>
+            <source>This controller has a box, and where pulses lead is not known here: use the base frame.</source>
+            <translation>このコントローラには許容範囲があり、パルスでどこへ動くかはここでは分かりません。ベース座標を使ってください。</translation>
         </message>
     </context>
     <context>
@@ -2784,6 +3149,18 @@ Before that each is copied to %3.</source>
                 <numerusform>IONAME.DATの%n行を読み取れませんでした。</numerusform>
             </translation>
         </message>
+        <message>
+            <source>Signals</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>Area of signals</source>
+            <translation>信号の範囲</translation>
+        </message>
+        <message>
+            <source>Watched signals</source>
+            <translation>ウォッチ中の信号</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobCard</name>
@@ -2921,6 +3298,99 @@ Before that each is copied to %3.</source>
         </message>
     </context>
     <context>
+        <name>pages::JogCard</name>
+        <message>
+            <source>Jog</source>
+            <translation>ジョグ</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>ステップ</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>座標</translation>
+        </message>
+        <message>
+            <source>Keyboard too: hold Ctrl and Space on the button that has the focus</source>
+            <translation>キーボードも使う: フォーカスのあるボタンでCtrlとSpaceを押し続ける</translation>
+        </message>
+        <message>
+            <source>Hold a button: one bounded step after another</source>
+            <translation>ボタンを押し続ける: 範囲を限ったステップを1つずつ続けて実行</translation>
+        </message>
+        <message>
+            <source>After a lost link</source>
+            <translation>通信途絶後</translation>
+        </message>
+        <message>
+            <source>Last step</source>
+            <translation>最後のステップ</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation>ベース</translation>
+        </message>
+        <message>
+            <source>Robot</source>
+            <translation>ロボット</translation>
+        </message>
+        <message>
+            <source>Axes (pulses)</source>
+            <translation>軸 (パルス)</translation>
+        </message>
+        <message>
+            <source>%1 mm · %2°</source>
+            <translation>%1 mm · %2°</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>%1 mm/s · %2 °/s</source>
+            <translation>%1 mm/s · %2 °/s</translation>
+        </message>
+        <message>
+            <source>at most one step: %1 pulses</source>
+            <translation>最大1ステップ: %1パルス</translation>
+        </message>
+        <message>
+            <source>at most one step: %1 mm or %2°, in %3 s at most</source>
+            <translation>最大1ステップ: %1 mmまたは%2°、最長%3 秒</translation>
+        </message>
+        <message>
+            <source>Off: the profile has a motion limit that is no number above 0 (%1).</source>
+            <translation>オフ: プロファイルに、0より大きい数ではない動作の制限値があります (%1)。</translation>
+        </message>
+        <message>
+            <source>No answer to the step: whether it was taken is unknown. HOLD was sent. Look at the robot.</source>
+            <translation>ステップへの応答がありません。実行されたかどうかは不明です。HOLDを送信しました。ロボットを確認してください。</translation>
+        </message>
+        <message>
+            <source>Step sent…</source>
+            <translation>ステップを送信しました…</translation>
+        </message>
+        <message>
+            <source>Moving…</source>
+            <translation>移動中…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n step(s), at rest.</source>
+            <translation>
+                <numerusform>%nステップ、静止しています。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>None yet.</source>
+            <translation>まだありません。</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::JournalPage</name>
         <message>
             <source>At any time</source>
@@ -2976,7 +3446,7 @@ Before that each is copied to %3.</source>
         </message>
         <message>
             <source>Time</source>
-            <translation>時刻</translation>
+            <translation>所要時間</translation>
         </message>
         <message>
             <source>Search</source>
@@ -3122,6 +3592,209 @@ Before that each is copied to %3.</source>
         <message>
             <source>%1 ago</source>
             <translation>%1前</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::MotionPage</name>
+        <message>
+            <source>Remote motion in automatic operation. The pendant’s enabling switch does not protect anyone here. Nobody may be inside the fence.</source>
+            <translation>自動運転での遠隔動作です。ここではペンダントのイネーブルスイッチは誰も保護しません。安全柵の中に人がいてはいけません。</translation>
+        </message>
+        <message>
+            <source>Before each step</source>
+            <translation>各ステップの前に</translation>
+        </message>
+        <message>
+            <source>Control group that moves</source>
+            <translation>動かす制御グループ</translation>
+        </message>
+        <message>
+            <source>Control group</source>
+            <translation>制御グループ</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::MoveCard</name>
+        <message>
+            <source>Move</source>
+            <translation>移動</translation>
+        </message>
+        <message>
+            <source>Type of the move</source>
+            <translation>移動の種類</translation>
+        </message>
+        <message>
+            <source>Frame of the target</source>
+            <translation>目標の座標</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>ツール</translation>
+        </message>
+        <message>
+            <source>User frame</source>
+            <translation>ユーザ座標</translation>
+        </message>
+        <message>
+            <source>Base axes in mm</source>
+            <translation>ベース軸 (mm)</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>P変数</translation>
+        </message>
+        <message>
+            <source>Rehearse…</source>
+            <translation>事前確認…</translation>
+        </message>
+        <message>
+            <source>Joint</source>
+            <translation>関節動作</translation>
+        </message>
+        <message>
+            <source>Straight</source>
+            <translation>直線動作</translation>
+        </message>
+        <message>
+            <source>Straight, increment</source>
+            <translation>直線動作、増分</translation>
+        </message>
+        <message>
+            <source>Base frame</source>
+            <translation>ベース座標</translation>
+        </message>
+        <message>
+            <source>Robot frame</source>
+            <translation>ロボット座標</translation>
+        </message>
+        <message>
+            <source>Tool frame</source>
+            <translation>ツール座標</translation>
+        </message>
+        <message>
+            <source>Pulses</source>
+            <translation>パルス</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>種類</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>座標</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>現在</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>目標</translation>
+        </message>
+        <message>
+            <source>change</source>
+            <translation>変化</translation>
+        </message>
+        <message>
+            <source>Speed in mm/s</source>
+            <translation>速度 (mm/s)</translation>
+        </message>
+        <message>
+            <source>Rotation speed in °/s</source>
+            <translation>回転速度 (°/s)</translation>
+        </message>
+        <message>
+            <source>Joint speed in %</source>
+            <translation>関節速度 (%)</translation>
+        </message>
+        <message>
+            <source>mm/s, at most %1</source>
+            <translation>mm/s (上限 %1)</translation>
+        </message>
+        <message>
+            <source>°/s, at most %1</source>
+            <translation>°/s (上限 %1)</translation>
+        </message>
+        <message>
+            <source>% of joint speed, at most %1</source>
+            <translation>関節速度の% (上限 %1)</translation>
+        </message>
+        <message>
+            <source>Take the present position</source>
+            <translation>現在位置を取込み</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>Pを取込み</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>以前の位置</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>現在位置をPに保存</translation>
+        </message>
+        <message>
+            <source>Target of %1 in %2</source>
+            <translation>%1の目標 (%2)</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>%1を読み出しています…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>%1を読み出せませんでした: %2。</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1は別の座標 (%2) です。取り込むには、その座標と増分ではない移動を選んでください。</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>目標は%1です。</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>保存できるのは、読み出した後のロボットの現在位置だけです。</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1を書き込み、読み戻しました。</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1は照合できていません: %2。</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1を書き込みましたが、別の値が読み戻されました。</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>この座標で始めた移動はまだありません</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>axis: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>There are three base axes at most.</source>
+            <translation>ベース軸は最大3軸です。</translation>
+        </message>
+        <message>
+            <source>Base axes: %1</source>
+            <translation>ベース軸: %1</translation>
+        </message>
+        <message>
+            <source>Off: the profile has a motion limit that is no number above 0 (%1).</source>
+            <translation>オフ: プロファイルに、0より大きい数ではない動作の制限値があります (%1)。</translation>
+        </message>
+        <message>
+            <source>Form: %1</source>
+            <translation>形態: %1</translation>
         </message>
     </context>
     <context>
@@ -3678,12 +4351,23 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>CSVファイル (*.csv)</translation>
         </message>
         <message>
-            <source>%1 cannot be read: %2.</source>
-            <translation>%1を読み出せません: %2。</translation>
-        </message>
-        <message>
             <source>Export values</source>
             <translation>値をエクスポート</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>レジスタ</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>変数</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariableTransfer</name>
+        <message>
+            <source>%1 cannot be read: %2.</source>
+            <translation>%1を読み出せません: %2。</translation>
         </message>
         <message>
             <source>%1 was written.</source>
@@ -3692,6 +4376,12 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>%1 cannot be written: %2.</source>
             <translation>%1に書き込めません: %2。</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading %n variable(s)…</source>
+            <translation>
+                <numerusform>%n個の変数を読み出しています…</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -3747,6 +4437,10 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>Numbering verified %1: number %2 on the network is B000.</source>
             <translation>変数番号の方式は%1に照合済み: ネットワーク上の番号%2がB000です。</translation>
+        </message>
+        <message>
+            <source>Kind of variable</source>
+            <translation>変数の種類</translation>
         </message>
     </context>
     <context>
@@ -3808,7 +4502,7 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
         <message>
             <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk: 20秒以内にライブのコントローラが見つかりません: %1。</translation>
+            <translation>pendesk: 5秒以内にライブのコントローラが見つかりません: %1。</translation>
         </message>
         <message>
             <source>pendesk: the folder %1 cannot be made.</source>
@@ -6099,6 +6793,17 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         </message>
     </context>
     <context>
+        <name>widgets::JogPad</name>
+        <message>
+            <source>Jog %1 forward</source>
+            <translation>%1を正方向にジョグ</translation>
+        </message>
+        <message>
+            <source>Jog %1 back</source>
+            <translation>%1を負方向にジョグ</translation>
+        </message>
+    </context>
+    <context>
         <name>widgets::LogicStrip</name>
         <message>
             <source>The watched signals over the last minute</source>
@@ -6162,6 +6867,14 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         <name>widgets::Rows</name>
         <message>
             <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Segments</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>what is chosen: the choice</comment>
             <translation>%1: %2</translation>
         </message>
     </context>

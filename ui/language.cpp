@@ -16,6 +16,10 @@ constexpr Language rows[] {
     {"en", "English"},
     {"de", "Deutsch"},
     {"ja", "日本語"},
+    {"zh_CN", "简体中文"},
+    {"ko", "한국어"},
+    {"es", "Español"},
+    {"fr", "Français"},
 };
 
 /// Replaces what was spoken before: translators are children of the application with this name.

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QLocale>
 #include <QTest>
+#include <QXmlStreamReader>
 
 class TestLanguage : public QObject
 {
@@ -25,6 +26,42 @@ private Q_SLOTS:
             files << file.remove(QStringLiteral("pendesk_")).remove(QStringLiteral(".qm"));
         codes.sort();
         QCOMPARE(files, codes);
+    }
+
+    void everySentenceIsTranslated_data()
+    {
+        QTest::addColumn<QString>("path");
+        const QDir folder {QStringLiteral(PENDESK_TEST_DATA "/../../translations")};
+        for (const QString &file : folder.entryList({QStringLiteral("*.ts")}))
+            QTest::newRow(qPrintable(file)) << folder.filePath(file);
+    }
+
+    /// Every form of it, with the placeholders of the English one.
+    void everySentenceIsTranslated()
+    {
+        QFETCH(QString, path);
+        QFile file {path};
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QXmlStreamReader xml {&file};
+        QString source;
+        int sentences = 0;
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (!xml.isStartElement())
+                continue;
+            if (xml.name() == u"source") {
+                source = xml.readElementText();
+            } else if (xml.name() == u"translation") {
+                QVERIFY2(!xml.attributes().hasAttribute(u"type"), qPrintable(source));
+                const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+                QVERIFY2(!text.trimmed().isEmpty() || source.trimmed().isEmpty(), qPrintable(source));
+                for (const QString &placeholder : {QStringLiteral("%1"), QStringLiteral("%2"), QStringLiteral("%3")})
+                    QVERIFY2(text.contains(placeholder) == source.contains(placeholder), qPrintable(source));
+                ++sentences;
+            }
+        }
+        QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+        QVERIFY(sentences > 1000);
     }
 
     void numbersFollow()

@@ -1,0 +1,6945 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ko_KR">
+    <context>
+        <name>Actions</name>
+        <message>
+            <source> or </source>
+            <translation> 또는 </translation>
+        </message>
+    </context>
+    <context>
+        <name>Alarms</name>
+        <message>
+            <source>Major</source>
+            <translation>중고장</translation>
+        </message>
+        <message>
+            <source>Minor</source>
+            <translation>경고장</translation>
+        </message>
+        <message>
+            <source>User, system</source>
+            <translation>유저 (시스템)</translation>
+        </message>
+        <message>
+            <source>User</source>
+            <translation>유저</translation>
+        </message>
+        <message>
+            <source>Off-line</source>
+            <translation>오프라인</translation>
+        </message>
+        <message>
+            <source>◆ unacknowledged</source>
+            <translation>◆ 미확인</translation>
+        </message>
+        <message>
+            <source>■ acknowledged</source>
+            <translation>■ 확인됨</translation>
+        </message>
+        <message>
+            <source>▲ cleared, unacknowledged</source>
+            <translation>▲ 해제됨, 미확인</translation>
+        </message>
+        <message>
+            <source>□ cleared</source>
+            <translation>□ 해제됨</translation>
+        </message>
+        <message>
+            <source>No sub code.</source>
+            <translation>서브 코드 없음.</translation>
+        </message>
+        <message>
+            <source>%1: %2. As sent: %3, type %4.</source>
+            <translation>%1: %2. 수신값: %3, 타입 %4.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Conditions</name>
+        <message>
+            <source>%1: %2.</source>
+            <comment>what is wrong: what helps</comment>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>met</source>
+            <translation>충족</translation>
+        </message>
+        <message>
+            <source>not met</source>
+            <translation>미충족</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>아직 읽지 않음</translation>
+        </message>
+        <message>
+            <source>cannot be read over HSES</source>
+            <translation>HSES로는 읽을 수 없음</translation>
+        </message>
+        <message>
+            <source>%1: %2.</source>
+            <comment>what was tried: how it ended</comment>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>동작 허가</translation>
+        </message>
+        <message>
+            <source>Reset alarm</source>
+            <translation>알람 리셋</translation>
+        </message>
+        <message>
+            <source>Cancel error</source>
+            <translation>에러 취소</translation>
+        </message>
+        <message>
+            <source>Write a signal</source>
+            <translation>신호 쓰기</translation>
+        </message>
+        <message>
+            <source>Write a register</source>
+            <translation>레지스터 쓰기</translation>
+        </message>
+        <message>
+            <source>Write a variable</source>
+            <translation>변수 쓰기</translation>
+        </message>
+        <message>
+            <source>Select a job</source>
+            <translation>잡 선택</translation>
+        </message>
+        <message>
+            <source>Select a master job</source>
+            <translation>마스터 잡 선택</translation>
+        </message>
+        <message>
+            <source>Start the job</source>
+            <translation>잡 기동</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (소프트웨어)</translation>
+        </message>
+        <message>
+            <source>Release HOLD</source>
+            <translation>HOLD 해제</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>서보 ON</translation>
+        </message>
+        <message>
+            <source>Servo off</source>
+            <translation>서보 OFF</translation>
+        </message>
+        <message>
+            <source>HLOCK on</source>
+            <translation>HLOCK ON</translation>
+        </message>
+        <message>
+            <source>HLOCK off</source>
+            <translation>HLOCK OFF</translation>
+        </message>
+        <message>
+            <source>Select the cycle mode</source>
+            <translation>사이클 모드 선택</translation>
+        </message>
+        <message>
+            <source>Show a message on the pendant</source>
+            <translation>펜던트에 메시지 표시</translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation>이동</translation>
+        </message>
+        <message>
+            <source>Jog</source>
+            <translation>조그</translation>
+        </message>
+        <message>
+            <source>Send a file to the controller</source>
+            <translation>컨트롤러로 파일 송신</translation>
+        </message>
+        <message>
+            <source>Get a file from the controller</source>
+            <translation>컨트롤러에서 파일 가져오기</translation>
+        </message>
+        <message>
+            <source>Delete a file on the controller</source>
+            <translation>컨트롤러의 파일 삭제</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>백업 복원</translation>
+        </message>
+        <message>
+            <source>Monitor</source>
+            <translation>모니터</translation>
+        </message>
+        <message>
+            <source>Operate</source>
+            <translation>조작</translation>
+        </message>
+        <message>
+            <source>Engineer</source>
+            <translation>엔지니어</translation>
+        </message>
+        <message>
+            <source>disarmed by hand</source>
+            <translation>수동으로 해제함</translation>
+        </message>
+        <message>
+            <source>nobody used key or mouse for a minute</source>
+            <translation>1분간 키와 마우스 조작 없음</translation>
+        </message>
+        <message>
+            <source>another program came to the front</source>
+            <translation>다른 프로그램이 앞으로 나옴</translation>
+        </message>
+        <message>
+            <source>the screen was locked</source>
+            <translation>화면이 잠김</translation>
+        </message>
+        <message>
+            <source>communication was lost</source>
+            <translation>통신이 끊어짐</translation>
+        </message>
+        <message>
+            <source>the mode changed at the controller</source>
+            <translation>컨트롤러에서 모드가 변경됨</translation>
+        </message>
+        <message>
+            <source>an alarm came up</source>
+            <translation>알람이 발생함</translation>
+        </message>
+        <message>
+            <source>the access level fell back</source>
+            <translation>액세스 레벨이 되돌아감</translation>
+        </message>
+        <message>
+            <source>the controller or its profile was changed</source>
+            <translation>컨트롤러 또는 그 프로파일이 변경됨</translation>
+        </message>
+        <message>
+            <source>another window came to the front</source>
+            <translation>다른 창이 앞으로 나옴</translation>
+        </message>
+        <message>
+            <source>another controller was armed</source>
+            <translation>다른 컨트롤러가 동작 허가됨</translation>
+        </message>
+    </context>
+    <context>
+        <name>LinkView</name>
+        <message>
+            <source>checking</source>
+            <translation>확인 중</translation>
+        </message>
+        <message>
+            <source>live</source>
+            <translation>실시간</translation>
+        </message>
+        <message>
+            <source>communication lost</source>
+            <translation>통신 끊김</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>연결 안 됨</translation>
+        </message>
+    </context>
+    <context>
+        <name>Messages</name>
+        <message>
+            <source>Diagnose…</source>
+            <translation>진단…</translation>
+        </message>
+        <message>
+            <source>HOLD not confirmed: use the pendant.</source>
+            <translation>HOLD가 확인되지 않았습니다. 펜던트를 사용하십시오.</translation>
+        </message>
+        <message>
+            <source>HOLD was refused: %1. Use the pendant.</source>
+            <translation>HOLD가 거부되었습니다: %1. 펜던트를 사용하십시오.</translation>
+        </message>
+        <message>
+            <source>HOLD sent…</source>
+            <translation>HOLD 송신됨…</translation>
+        </message>
+        <message>
+            <source>No contact with %1 yet: %2. Checking goes on by itself.</source>
+            <translation>아직 %1과(와) 통신되지 않습니다: %2. 확인은 자동으로 계속됩니다.</translation>
+        </message>
+        <message>
+            <source>Checking %1: waiting for system information and status.</source>
+            <translation>%1 확인 중: 시스템 정보와 상태를 기다리고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1 — showing the last values read. Reading resumes by itself.</source>
+            <translation>%1에 통신이 끊어졌습니다 — 마지막으로 읽은 값을 표시하고 있습니다. 읽기는 자동으로 재개됩니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Communication restored at %1. Lost %n time(s) since connecting.</source>
+            <translation>
+                <numerusform>%1에 통신이 복구되었습니다. 연결 후 %n회 끊어졌습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>HOLD confirmed: the status says held by command.</source>
+            <translation>HOLD가 확인되었습니다. 상태는 커맨드에 의한 홀드 중입니다.</translation>
+        </message>
+        <message>
+            <source>HOLD was not sent: there is no connection to a controller. Use the pendant.</source>
+            <translation>HOLD를 송신하지 않았습니다. 컨트롤러와 연결되어 있지 않습니다. 펜던트를 사용하십시오.</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>연결…</translation>
+        </message>
+    </context>
+    <context>
+        <name>OrderRecords</name>
+        <message>
+            <source>✓ done</source>
+            <translation>✓ 완료</translation>
+        </message>
+        <message>
+            <source>✗ refused</source>
+            <translation>✗ 거부됨</translation>
+        </message>
+        <message>
+            <source>▲ unknown</source>
+            <translation>▲ 알 수 없음</translation>
+        </message>
+        <message>
+            <source>□ not sent</source>
+            <translation>□ 송신 안 함</translation>
+        </message>
+    </context>
+    <context>
+        <name>QFileDialog</name>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>쉼표로 구분된 값 (*.csv)</translation>
+        </message>
+        <message>
+            <source>JSON (*.json)</source>
+            <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Shown</name>
+        <message>
+            <source>Not read yet.</source>
+            <translation>아직 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Refused: %1</source>
+            <translation>거부됨: %1</translation>
+        </message>
+        <message>
+            <source>Last seen %1</source>
+            <translation>마지막 확인 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Words</name>
+        <message>
+            <source>HELD</source>
+            <translation>홀드 중</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>없음</translation>
+        </message>
+        <message>
+            <source>PENDANT</source>
+            <translation>펜던트</translation>
+        </message>
+        <message>
+            <source>EXTERNAL</source>
+            <translation>외부</translation>
+        </message>
+        <message>
+            <source>COMMAND</source>
+            <translation>커맨드</translation>
+        </message>
+        <message>
+            <source>TEACH</source>
+            <translation>TEACH</translation>
+        </message>
+        <message>
+            <source>PLAY</source>
+            <translation>PLAY</translation>
+        </message>
+        <message>
+            <source>NO MODE</source>
+            <translation>모드 없음</translation>
+        </message>
+        <message>
+            <source>REMOTE %1</source>
+            <translation>REMOTE %1</translation>
+        </message>
+        <message>
+            <source>STEP</source>
+            <translation>스텝</translation>
+        </message>
+        <message>
+            <source>1 CYCLE</source>
+            <translation>1사이클</translation>
+        </message>
+        <message>
+            <source>CONTINUOUS</source>
+            <translation>연속</translation>
+        </message>
+        <message>
+            <source>NO CYCLE</source>
+            <translation>사이클 없음</translation>
+        </message>
+        <message>
+            <source>RUNNING</source>
+            <translation>운전 중</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>정지 중</translation>
+        </message>
+        <message>
+            <source>ON</source>
+            <translation>ON</translation>
+        </message>
+        <message>
+            <source>OFF</source>
+            <translation>OFF</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>없음</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>OFF</translation>
+        </message>
+        <message>
+            <source>ALARM</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>ERROR</source>
+            <translation>에러</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>error</source>
+            <translation>에러</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>홀드 중</translation>
+        </message>
+        <message>
+            <source>contradictory</source>
+            <translation>모순</translation>
+        </message>
+        <message>
+            <source>running</source>
+            <translation>운전 중</translation>
+        </message>
+        <message>
+            <source>idle</source>
+            <translation>대기 중</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>line %1 · step %2 · %3</source>
+            <translation>행 %1 · 스텝 %2 · %3</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>pulses</source>
+            <translation>펄스</translation>
+        </message>
+        <message>
+            <source>%1 ms</source>
+            <translation>%1 ms</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1초</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1분</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::AccessSettingsDialog</name>
+        <message>
+            <source>Passcode and idle time</source>
+            <translation>패스코드와 무조작 시간</translation>
+        </message>
+        <message>
+            <source> min</source>
+            <translation> 분</translation>
+        </message>
+        <message>
+            <source>Back to Monitor after</source>
+            <translation>“모니터”로 돌아가기까지</translation>
+        </message>
+        <message>
+            <source>New passcode</source>
+            <translation>새 패스코드</translation>
+        </message>
+        <message>
+            <source>The same again</source>
+            <translation>다시 한 번 입력</translation>
+        </message>
+        <message>
+            <source>Leave both empty for no passcode.</source>
+            <translation>패스코드를 사용하지 않으려면 둘 다 비워 두십시오.</translation>
+        </message>
+        <message>
+            <source>The two are not the same.</source>
+            <translation>두 입력이 일치하지 않습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ApplyDialog</name>
+        <message>
+            <source>Variable</source>
+            <translation>변수</translation>
+        </message>
+        <message>
+            <source>Old value</source>
+            <translation>이전 값</translation>
+        </message>
+        <message>
+            <source>New value</source>
+            <translation>새 값</translation>
+        </message>
+        <message>
+            <source>Apply — %1</source>
+            <translation>적용 — %1</translation>
+        </message>
+        <message>
+            <source>What will be written</source>
+            <translation>쓰게 될 내용</translation>
+        </message>
+        <message numerus="yes">
+            <source>Write %n value(s)</source>
+            <translation>
+                <numerusform>값 %n개 쓰기</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Write %n value(s) to %1</source>
+            <translation>
+                <numerusform>%1에 값 %n개 쓰기</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Each is written once and read back. What does not read back as it was written stays here and is marked.</source>
+            <translation>각 값을 한 번만 쓰고 다시 읽어 확인합니다. 쓴 대로 읽히지 않은 값은 여기에 남아 표시됩니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::CompareDialog</name>
+        <message>
+            <source>Both are the same, byte for byte.</source>
+            <translation>두 파일은 모든 바이트가 같습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ConnectionDialog</name>
+        <message>
+            <source>Duplicate</source>
+            <translation>복제</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>제거</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Connect</source>
+            <translation>연결</translation>
+        </message>
+        <message>
+            <source>Connect to a controller</source>
+            <translation>컨트롤러에 연결</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>추가</translation>
+        </message>
+        <message>
+            <source>Known controllers</source>
+            <translation>등록된 컨트롤러</translation>
+        </message>
+        <message>
+            <source>CONTROLLERS</source>
+            <translation>컨트롤러</translation>
+        </message>
+        <message>
+            <source>Connecting only reads. HOLD: Pause key.</source>
+            <translation>연결은 읽기만 합니다. HOLD: Pause 키.</translation>
+        </message>
+        <message>
+            <source>A motion limit must be a number above 0, and each side of the box must begin before it ends.</source>
+            <translation>동작 제한값은 0보다 큰 수이어야 하며, 허용 범위의 각 변은 하한이 상한보다 작아야 합니다.</translation>
+        </message>
+        <message>
+            <source>There is another controller with the name “%1”.</source>
+            <translation>이름이 “%1”인 다른 컨트롤러가 있습니다.</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>New controller</source>
+            <translation>새 컨트롤러</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::DiagnosisDialog</name>
+        <message>
+            <source>Diagnosis — %1</source>
+            <translation>진단 — %1</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>진단 복사</translation>
+        </message>
+        <message>
+            <source>The diagnosis is not finished yet.</source>
+            <translation>진단이 아직 끝나지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>It only reads. HOLD works meanwhile: Pause key.</source>
+            <translation>진단은 읽기만 합니다. 그동안에도 HOLD는 유효합니다: Pause 키.</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>복사됨</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ImportDialog</name>
+        <message>
+            <source>Take over values — %1</source>
+            <translation>값 가져오기 — %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>Stage %n value(s)</source>
+            <translation>
+                <numerusform>값 %n개를 쓰기 예정에 추가</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n value(s) would change</source>
+            <translation>
+                <numerusform>값 %n개가 바뀝니다</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n value(s) are there already. Staging sends nothing to the controller.</source>
+            <translation>
+                <numerusform>값 %n개는 이미 같은 값입니다. 쓰기 예정에 추가해도 컨트롤러에는 아무것도 송신되지 않습니다.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) cannot be read, so nothing is taken over:</source>
+            <translation>
+                <numerusform>%n개 행을 읽을 수 없으므로 아무것도 가져오지 않습니다:</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Lines that cannot be read</source>
+            <translation>읽을 수 없는 행</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>행</translation>
+        </message>
+        <message>
+            <source>What is wrong</source>
+            <translation>잘못된 내용</translation>
+        </message>
+        <message>
+            <source>Values that would change</source>
+            <translation>바뀌는 값</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>변수</translation>
+        </message>
+        <message>
+            <source>Old value</source>
+            <translation>이전 값</translation>
+        </message>
+        <message>
+            <source>New value</source>
+            <translation>새 값</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::IoWriteDialog</name>
+        <message>
+            <source>Write %1 — %2</source>
+            <translation>%1 쓰기 — %2</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>현재</translation>
+        </message>
+        <message>
+            <source>Will be</source>
+            <translation>쓰기 후</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>The eight signals #%1 to #%2 travel together: all of them are written as they stand here.</source>
+            <translation>8개 신호 #%1~#%2은(는) 함께 전송됩니다. 모두 여기에 표시된 대로 써집니다.</translation>
+        </message>
+        <message>
+            <source>The group is being read…</source>
+            <translation>그룹을 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>Written once, then read back.</source>
+            <translation>한 번 쓴 후 다시 읽어 확인합니다.</translation>
+        </message>
+        <message>
+            <source>Another of the eight has changed meanwhile. Nothing was sent: look again.</source>
+            <translation>8개 중 다른 신호가 그사이에 변경되었습니다. 아무것도 송신하지 않았습니다. 다시 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Being written…</source>
+            <translation>쓰고 있습니다…</translation>
+        </message>
+        <message>
+            <source>Written, and read back as it was written.</source>
+            <translation>썼으며, 쓴 대로 다시 읽혔습니다.</translation>
+        </message>
+        <message>
+            <source>Accepted, but another value was read back: %1. Something else writes these signals.</source>
+            <translation>수락되었으나 다른 값이 읽혔습니다: %1. 다른 곳에서 이 신호에 쓰고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Switch on</source>
+            <translation>ON으로 하기</translation>
+        </message>
+        <message>
+            <source>Switch off</source>
+            <translation>OFF로 하기</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::JobEditor</name>
+        <message>
+            <source>Edit “%1”</source>
+            <translation>“%1” 편집</translation>
+        </message>
+        <message>
+            <source>Text of the file</source>
+            <translation>파일 내용</translation>
+        </message>
+        <message>
+            <source>Compare and send…</source>
+            <translation>비교 후 송신…</translation>
+        </message>
+        <message>
+            <source>The controller's encoding lacks a character of this text.</source>
+            <translation>이 텍스트에 컨트롤러의 문자 코드에 없는 문자가 있습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::LadderView</name>
+        <message>
+            <source>passed</source>
+            <translation>합격</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>불합격</translation>
+        </message>
+        <message>
+            <source>not reached</source>
+            <translation>미실시</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, diagnosis of %2 (%3)</source>
+            <translation>Pendesk %1, %2의 진단 (%3)</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::MotionForm</name>
+        <message>
+            <source>The tool point must stay in this box (base frame, mm)</source>
+            <translation>제어점을 이 허용 범위 안으로 제한 (베이스 좌표, mm)</translation>
+        </message>
+        <message>
+            <source>User and tool frames were checked on this robot</source>
+            <translation>유저 좌표와 툴 좌표를 이 로봇에서 확인함</translation>
+        </message>
+        <message>
+            <source>Speed, mm/s</source>
+            <translation>속도, mm/s</translation>
+        </message>
+        <message>
+            <source>Rotation speed, °/s</source>
+            <translation>회전 속도, °/s</translation>
+        </message>
+        <message>
+            <source>Joint speed, %</source>
+            <translation>관절 속도, %</translation>
+        </message>
+        <message>
+            <source>Jog step, mm</source>
+            <translation>조그 스텝, mm</translation>
+        </message>
+        <message>
+            <source>Jog step, °</source>
+            <translation>조그 스텝, °</translation>
+        </message>
+        <message>
+            <source>Jog step, pulses</source>
+            <translation>조그 스텝, 펄스</translation>
+        </message>
+        <message>
+            <source>Descriptions disagree which code means the user and which the tool frame. Tick this only after a small move in both was watched at the robot.</source>
+            <translation>어느 코드가 유저 좌표이고 어느 코드가 툴 좌표인지는 자료마다 다릅니다. 두 좌표에서의 작은 이동을 로봇 옆에서 보고 확인한 후에만 체크하십시오.</translation>
+        </message>
+        <message>
+            <source>%1, as the program</source>
+            <translation>%1 (이 프로그램의 기본값)</translation>
+        </message>
+        <message>
+            <source>Least %1</source>
+            <translation>%1 하한</translation>
+        </message>
+        <message>
+            <source>Most %1</source>
+            <translation>%1 상한</translation>
+        </message>
+        <message>
+            <source>%1 from, to</source>
+            <translation>%1 하한, 상한</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::MoveSheet</name>
+        <message>
+            <source>%1 pulses</source>
+            <translation>%1 펄스</translation>
+        </message>
+        <message>
+            <source>%1 mm · %2°</source>
+            <translation>%1 mm · %2°</translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation>이동</translation>
+        </message>
+        <message>
+            <source>Stop: HOLD</source>
+            <translation>정지: HOLD</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Move at %1</source>
+            <translation>이동 — %1</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>컨트롤러</translation>
+        </message>
+        <message>
+            <source>Control group</source>
+            <translation>제어 그룹</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>출발 위치</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>목표 위치</translation>
+        </message>
+        <message>
+            <source>Way</source>
+            <translation>경로</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>소요 시간</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>속도</translation>
+        </message>
+        <message>
+            <source>Box</source>
+            <translation>허용 범위</translation>
+        </message>
+        <message>
+            <source>Stored points near the target</source>
+            <translation>목표 부근의 등록점</translation>
+        </message>
+        <message>
+            <source>A long move, or one that nobody can measure: type %1</source>
+            <translation>긴 이동이거나 길이를 알 수 없는 이동입니다. %1 입력</translation>
+        </message>
+        <message>
+            <source>With the keyboard: type %1, then F9</source>
+            <translation>키보드 사용 시: %1 입력 후 F9</translation>
+        </message>
+        <message>
+            <source>HOLD stays on until it is released</source>
+            <translation>HOLD는 해제할 때까지 유지됩니다</translation>
+        </message>
+        <message>
+            <source>The robot will move</source>
+            <translation>로봇이 움직입니다</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>알 수 없음</translation>
+        </message>
+        <message>
+            <source>cannot be foretold in this frame</source>
+            <translation>이 좌표에서는 예측할 수 없음</translation>
+        </message>
+        <message>
+            <source>about %1 s</source>
+            <translation>약 %1초</translation>
+        </message>
+        <message>
+            <source>not known: a percentage of joint speed</source>
+            <translation>알 수 없음: 관절 속도의 비율로 지정됨</translation>
+        </message>
+        <message>
+            <source>not known: the target is in pulses</source>
+            <translation>알 수 없음: 목표가 펄스로 지정됨</translation>
+        </message>
+        <message>
+            <source>%1 mm and %2° between the ends; a joint move does not go straight</source>
+            <translation>양 끝 사이 %1 mm, %2°. 관절 동작은 직선으로 움직이지 않습니다</translation>
+        </message>
+        <message>
+            <source>%1 mm straight, turning %2°</source>
+            <translation>직선 %1 mm, 회전 %2°</translation>
+        </message>
+        <message>
+            <source>none is set for this controller</source>
+            <translation>이 컨트롤러에는 설정되어 있지 않습니다</translation>
+        </message>
+        <message>
+            <source>the whole way is inside</source>
+            <translation>경로 전체가 범위 안에 있습니다</translation>
+        </message>
+        <message>
+            <source>both ends are inside; the way between is not known</source>
+            <translation>양 끝은 범위 안에 있습니다. 그 사이의 경로는 알 수 없습니다</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 %</source>
+            <translation>%1, 최대 %2 %</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 mm/s</source>
+            <translation>%1, 최대 %2 mm/s</translation>
+        </message>
+        <message>
+            <source>%1, at most %2 °/s</source>
+            <translation>%1, 최대 %2 °/s</translation>
+        </message>
+        <message>
+            <source>cannot be compared</source>
+            <translation>비교할 수 없음</translation>
+        </message>
+        <message>
+            <source>%1 at %2 mm</source>
+            <translation>%1 (거리 %2 mm)</translation>
+        </message>
+        <message>
+            <source>none in the base frame was read</source>
+            <translation>베이스 좌표의 등록점은 읽지 않았습니다</translation>
+        </message>
+        <message>
+            <source>The robot is no longer where this move begins: close, and rehearse again.</source>
+            <translation>로봇이 더 이상 이 이동의 출발 위치에 있지 않습니다. 닫고 사전 확인을 다시 하십시오.</translation>
+        </message>
+        <message>
+            <source>Not sent: the place could not be read.</source>
+            <translation>송신하지 않음: 위치를 읽을 수 없었습니다.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>a place that was not read</source>
+            <translation>읽지 않은 위치</translation>
+        </message>
+        <message>
+            <source>Under way: %1</source>
+            <translation>이동 중: %1</translation>
+        </message>
+        <message>
+            <source>Move sent…</source>
+            <translation>이동 송신됨…</translation>
+        </message>
+        <message>
+            <source>Arrived: %1</source>
+            <translation>도착: %1</translation>
+        </message>
+        <message>
+            <source>Stopped at %1. That is not the target.</source>
+            <translation>%1에서 정지했습니다. 목표 위치가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>At rest at %1. Whether that is the target cannot be told in this frame.</source>
+            <translation>%1에 정지해 있습니다. 이 좌표에서는 목표 위치인지 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>No answer to the move: whether it was begun is unknown. It was sent once. Look at the robot.</source>
+            <translation>이동에 대한 응답이 없습니다. 이동이 시작되었는지 알 수 없습니다. 한 번 송신했습니다. 로봇을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The outcome is unknown: communication was lost, or it does not come to rest. Look at the robot.</source>
+            <translation>결과를 알 수 없습니다. 통신이 끊어졌거나 로봇이 정지하지 않습니다. 로봇을 확인하십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::NumberingDialog</name>
+        <message>
+            <source>Variable numbering — %1</source>
+            <translation>변수 번호 방식 — %1</translation>
+        </message>
+        <message>
+            <source>Number of the variable</source>
+            <translation>변수 번호</translation>
+        </message>
+        <message>
+            <source>Value on the pendant</source>
+            <translation>펜던트의 값</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>아직 읽지 않음</translation>
+        </message>
+        <message>
+            <source>reads on the pendant</source>
+            <translation>의 펜던트 표시값은</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>비교</translation>
+        </message>
+        <message>
+            <source>Keep the result</source>
+            <translation>결과 저장</translation>
+        </message>
+        <message>
+            <source>Which number is which?</source>
+            <translation>어느 번호가 어느 변수입니까?</translation>
+        </message>
+        <message>
+            <source>Parameter RS022 decides whether B000 is number 0 or number 1 on the network. Until that is known, a write could hit the neighbour, so none is sent. Read two variables on the pendant (main menu, VARIABLE, BYTE) and enter what you see. This test only reads.</source>
+            <translation>파라미터 RS022는 네트워크에서 B000이 번호 0인지 번호 1인지를 정합니다. 이를 알기 전에는 쓰기가 인접한 변수에 적용될 수 있으므로 아무것도 송신하지 않습니다. 펜던트에서 변수 2개를 읽고 (메인 메뉴, VARIABLE, BYTE) 표시된 값을 입력하십시오. 이 테스트는 읽기만 합니다.</translation>
+        </message>
+        <message>
+            <source>The variables could not be read: %1.</source>
+            <translation>변수를 읽을 수 없었습니다: %1.</translation>
+        </message>
+        <message>
+            <source>All B variables hold the same value, which proves nothing: let a job or the pendant set B010 to 1 and B011 to 2, then open this test again.</source>
+            <translation>모든 B 변수가 같은 값이므로 판별할 수 없습니다. 잡 또는 펜던트로 B010을 1로, B011을 2로 설정한 후 이 테스트를 다시 여십시오.</translation>
+        </message>
+        <message>
+            <source>These two tell the numberings apart.</source>
+            <translation>이 두 변수로 번호 방식을 판별할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Verified: number 0 on the network is B000.</source>
+            <translation>대조됨: 네트워크의 번호 0이 B000입니다.</translation>
+        </message>
+        <message>
+            <source>Verified, shifted: number 1 on the network is B000.</source>
+            <translation>대조됨, 어긋남 있음: 네트워크의 번호 1이 B000입니다.</translation>
+        </message>
+        <message>
+            <source>Both numberings fit these values: choose variables whose neighbours hold other values.</source>
+            <translation>두 방식 모두 이 값에 맞습니다. 인접한 변수의 값이 서로 다른 변수를 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Neither numbering fits: read the values again, they may have changed.</source>
+            <translation>어느 방식에도 맞지 않습니다. 값이 바뀌었을 수 있으므로 다시 읽으십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::OverwriteDialog</name>
+        <message numerus="yes">
+            <source>For the remaining %n file(s) too</source>
+            <translation>
+                <numerusform>나머지 파일 %n개에도 적용</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>“%1” exists</source>
+            <translation>“%1”이(가) 이미 있습니다</translation>
+        </message>
+        <message>
+            <source>There is a file “%1” %2 already.</source>
+            <translation>%2에 파일 “%1”이(가) 이미 있습니다.</translation>
+        </message>
+        <message>
+            <source>&amp;Compare…</source>
+            <translation>비교(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>&amp;Replace</source>
+            <translation>바꾸기(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Keep both</source>
+            <translation>둘 다 유지(&amp;K)</translation>
+        </message>
+        <message>
+            <source>&amp;Skip</source>
+            <translation>건너뛰기(&amp;S)</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::PasscodeDialog</name>
+        <message>
+            <source>The passcode guards against mistakes, not against attackers: whoever can change this user's files can remove it.</source>
+            <translation>패스코드는 실수를 막기 위한 것이며 공격을 막지는 못합니다. 이 사용자의 파일을 변경할 수 있는 사람은 누구나 제거할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Access level: %1</source>
+            <translation>액세스 레벨: %1</translation>
+        </message>
+        <message>
+            <source>Passcode</source>
+            <translation>패스코드</translation>
+        </message>
+        <message>
+            <source>That is not the passcode.</source>
+            <translation>패스코드가 맞지 않습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::PositionDialog</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>타입</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>쓰기 예정에 추가</translation>
+        </message>
+        <message>
+            <source>%1 or %2</source>
+            <translation>%1 또는 %2</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>툴</translation>
+        </message>
+        <message>
+            <source>User frame</source>
+            <translation>유저 좌표</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>형태</translation>
+        </message>
+        <message>
+            <source>Extended form</source>
+            <translation>확장 형태</translation>
+        </message>
+        <message>
+            <source>Take the present position of R1 (base frame)</source>
+            <translation>R1의 현재 위치 가져오기 (베이스 좌표)</translation>
+        </message>
+        <message>
+            <source>Take R1 in pulses</source>
+            <translation>R1을 펄스로 가져오기</translation>
+        </message>
+        <message>
+            <source>Take the present position of B1 (base frame)</source>
+            <translation>B1의 현재 위치 가져오기 (베이스 좌표)</translation>
+        </message>
+        <message>
+            <source>Take B1 in pulses</source>
+            <translation>B1을 펄스로 가져오기</translation>
+        </message>
+        <message>
+            <source>Take the present position of S1</source>
+            <translation>S1의 현재 위치 가져오기</translation>
+        </message>
+        <message>
+            <source>live: %1</source>
+            <translation>실시간: %1</translation>
+        </message>
+        <message>
+            <source>%1 in %2</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>axis: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>A user-frame position needs a user frame from 1 to 63.</source>
+            <translation>유저 좌표의 위치에는 1부터 63까지의 유저 좌표 번호가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Sources disagree which code means user and which means tool frame: check on the pendant before a job uses this position.</source>
+            <translation>어느 코드가 유저 좌표이고 어느 코드가 툴 좌표인지 자료마다 다릅니다. 잡에서 이 위치를 사용하기 전에 펜던트에서 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The position is being read…</source>
+            <translation>위치를 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>The position could not be read: %1.</source>
+            <translation>위치를 읽을 수 없었습니다: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ProfileForm</name>
+        <message>
+            <source>Name</source>
+            <translation>이름</translation>
+        </message>
+        <message>
+            <source>Host name or address</source>
+            <translation>호스트 이름 또는 주소</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>기종</translation>
+        </message>
+        <message>
+            <source>Text encoding</source>
+            <translation>문자 코드</translation>
+        </message>
+        <message>
+            <source>Variable numbering</source>
+            <translation>변수 번호 방식</translation>
+        </message>
+        <message>
+            <source>B000 is number 0 on the wire</source>
+            <translation>B000은 통신상 번호 0</translation>
+        </message>
+        <message>
+            <source>B000 is number 1 on the wire</source>
+            <translation>B000은 통신상 번호 1</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>포트</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>파일 포트</translation>
+        </message>
+        <message>
+            <source>Read time-out</source>
+            <translation>읽기 타임아웃</translation>
+        </message>
+        <message>
+            <source> ms</source>
+            <translation> ms</translation>
+        </message>
+        <message>
+            <source>File time-out</source>
+            <translation>파일 타임아웃</translation>
+        </message>
+        <message>
+            <source>Servo time-out</source>
+            <translation>서보 타임아웃</translation>
+        </message>
+        <message>
+            <source>Repeats of a read</source>
+            <translation>읽기 재시도 횟수</translation>
+        </message>
+        <message>
+            <source>Requests outstanding at once</source>
+            <translation>동시에 응답을 기다리는 요청 수</translation>
+        </message>
+        <message>
+            <source>Requests a second, at most</source>
+            <translation>초당 최대 요청 수</translation>
+        </message>
+        <message>
+            <source>Jog and move, at most</source>
+            <translation>조그와 이동의 상한</translation>
+        </message>
+        <message>
+            <source>From %1 to %2</source>
+            <translation>%1부터 %2까지</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::RestoreDialog</name>
+        <message>
+            <source>Put that file back</source>
+            <translation>그 파일을 원래대로 되돌리기</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>Restore %1 from %2</source>
+            <translation>%2에서 %1 복원</translation>
+        </message>
+        <message>
+            <source>What would be done</source>
+            <translation>실행될 내용</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>What is done</source>
+            <translation>처리</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>이유</translation>
+        </message>
+        <message>
+            <source>A fresh backup of %1 is made first. Then the files below are sent one by one and read back. It stops at the first error.</source>
+            <translation>먼저 %1의 새 백업을 만듭니다. 그다음 아래 파일을 하나씩 송신하고 다시 읽어 확인합니다. 첫 에러에서 중지합니다.</translation>
+        </message>
+        <message>
+            <source>+ new: it is sent</source>
+            <translation>+ 신규: 송신합니다</translation>
+        </message>
+        <message>
+            <source>≠ changed: it is replaced</source>
+            <translation>≠ 변경됨: 바꿉니다</translation>
+        </message>
+        <message>
+            <source>= same: left alone</source>
+            <translation>= 같음: 그대로 둡니다</translation>
+        </message>
+        <message>
+            <source>▲ not allowed: left alone</source>
+            <translation>▲ 허용되지 않음: 그대로 둡니다</translation>
+        </message>
+        <message numerus="yes">
+            <source>Back up, then restore %n file(s)</source>
+            <translation>
+                <numerusform>백업 후 파일 %n개 복원</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) are the same and not listed.</source>
+            <translation>
+                <numerusform>파일 %n개는 같으므로 표시하지 않습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Sending file %1 of %2…</source>
+            <translation>파일 송신 중 (%1 / %2)…</translation>
+        </message>
+        <message>
+            <source>Fresh backup: file %1 of %2…</source>
+            <translation>새 백업: 파일 %1 / %2…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) were restored and read back.</source>
+            <translation>
+                <numerusform>파일 %n개를 복원하고 다시 읽어 확인했습니다.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) were restored before that.</source>
+            <translation>
+                <numerusform>그 전에 파일 %n개를 복원했습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>It was cancelled.</source>
+            <translation>취소되었습니다.</translation>
+        </message>
+        <message>
+            <source>Stopped at %1.</source>
+            <translation>%1에서 중지했습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing was sent.</source>
+            <translation>아무것도 송신하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The file is as it was before.</source>
+            <translation>파일은 이전 그대로입니다.</translation>
+        </message>
+        <message>
+            <source>▲ The file could not be put back. Look at the controller.</source>
+            <translation>▲ 파일을 원래대로 되돌릴 수 없었습니다. 컨트롤러를 확인하십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::ShortcutsDialog</name>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>키보드 단축키</translation>
+        </message>
+        <message>
+            <source>Page: %1</source>
+            <translation>페이지: %1</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>메뉴</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::SignalPicker</name>
+        <message>
+            <source>Add a signal</source>
+            <translation>신호 추가</translation>
+        </message>
+        <message>
+            <source>For example: R1 torque, B005, #00010, M012</source>
+            <translation>예: R1 토크, B005, #00010, M012</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>검색</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>신호</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>추가</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::StartSheet</name>
+        <message>
+            <source>Start</source>
+            <translation>기동</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Start at %1</source>
+            <translation>기동 — %1</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>컨트롤러</translation>
+        </message>
+        <message>
+            <source>Job</source>
+            <translation>잡</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>시작 행</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>사이클</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>속도 오버라이드</translation>
+        </message>
+        <message>
+            <source>HOLD: Pause key</source>
+            <translation>HOLD: Pause 키</translation>
+        </message>
+        <message>
+            <source>The robot will move</source>
+            <translation>로봇이 움직입니다</translation>
+        </message>
+        <message>
+            <source>With the keyboard: type %1, then F9</source>
+            <translation>키보드 사용 시: %1 입력 후 F9</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>Start sent…</source>
+            <translation>기동 송신됨…</translation>
+        </message>
+        <message>
+            <source>Accepted. Waiting for RUN…</source>
+            <translation>수락되었습니다. RUN을 기다리고 있습니다…</translation>
+        </message>
+        <message>
+            <source>RUN: the job is running.</source>
+            <translation>RUN: 잡이 실행 중입니다.</translation>
+        </message>
+        <message>
+            <source>The start was accepted, but no RUN was seen for 3 s. Usual causes: the job was so short that it has ended, it waits for a condition of the cell, or the pendant shows a question. Look at the pendant.</source>
+            <translation>기동은 수락되었으나 3초 동안 RUN이 확인되지 않았습니다. 일반적인 원인: 잡이 짧아 이미 끝났거나, 셀의 조건을 기다리고 있거나, 펜던트에 확인 메시지가 표시되어 있습니다. 펜던트를 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>No answer to the start: it may or may not have happened. Reading the status…</source>
+            <translation>기동에 대한 응답이 없습니다. 실행되었을 수도 있고 실행되지 않았을 수도 있습니다. 상태를 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>No answer to the start, but the status says RUN: the job is running. It was sent once.</source>
+            <translation>기동에 대한 응답은 없으나 상태는 RUN입니다. 잡이 실행 중입니다. 한 번 송신했습니다.</translation>
+        </message>
+        <message>
+            <source>No answer to the start, and the status says no RUN. Look at the robot before you start again.</source>
+            <translation>기동에 대한 응답이 없고 상태는 RUN이 아닙니다. 다시 기동하기 전에 로봇을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>No answer to the start, and none to the status: whether the robot runs is unknown. Look at it.</source>
+            <translation>기동에 대한 응답도 상태에 대한 응답도 없습니다. 로봇이 운전 중인지 알 수 없습니다. 로봇을 확인하십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::WhyNotDialog</name>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>Conditions</source>
+            <translation>조건</translation>
+        </message>
+        <message>
+            <source>What must be the case</source>
+            <translation>필요한 조건</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::JobDiff</name>
+        <message>
+            <source>%1 pulses in %2</source>
+            <translation>%2 %1 펄스</translation>
+        </message>
+        <message>
+            <source>%1 mm in %2</source>
+            <translation>%2 %1 mm</translation>
+        </message>
+        <message>
+            <source>%1° in %2</source>
+            <translation>%2 %1°</translation>
+        </message>
+        <message>
+            <source>%1 changed: %2 → %3</source>
+            <translation>%1 변경됨: %2 → %3</translation>
+        </message>
+        <message>
+            <source>%1 moved %2</source>
+            <translation>%1 이동됨: %2</translation>
+        </message>
+        <message>
+            <source>Job name changed: “%1” → “%2”</source>
+            <translation>잡 이름 변경됨: “%1” → “%2”</translation>
+        </message>
+        <message>
+            <source>Comment changed: “%1” → “%2”</source>
+            <translation>코멘트 변경됨: “%1” → “%2”</translation>
+        </message>
+        <message>
+            <source>Attributes changed: %1 → %2</source>
+            <translation>속성 변경됨: %1 → %2</translation>
+        </message>
+        <message>
+            <source>Control groups changed: %1 → %2</source>
+            <translation>제어 그룹 변경됨: %1 → %2</translation>
+        </message>
+        <message>
+            <source>%1 added: %2</source>
+            <translation>%1 추가됨: %2</translation>
+        </message>
+        <message>
+            <source>%1 removed: %2</source>
+            <translation>%1 제거됨: %2</translation>
+        </message>
+        <message>
+            <source>%1 is taught otherwise: %2 → %3</source>
+            <translation>%1의 티칭이 다름: %2 → %3</translation>
+        </message>
+        <message>
+            <source>%1 %2 → %3 at line %4</source>
+            <translation>%1 %2 → %3, 행 %4</translation>
+        </message>
+        <message>
+            <source>Line %1: %2 → %3</source>
+            <translation>행 %1: %2 → %3</translation>
+        </message>
+        <message>
+            <source>Line %1 added: %2</source>
+            <translation>행 %1 추가됨: %2</translation>
+        </message>
+        <message>
+            <source>Line %1 removed: %2</source>
+            <translation>행 %1 제거됨: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Preflight</name>
+        <message>
+            <source>The file is empty; HSES cannot carry it.</source>
+            <translation>파일이 비어 있습니다. HSES로 전송할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Controllers take no files of type “%1”.</source>
+            <translation>컨트롤러는 “%1” 타입의 파일을 받지 않습니다.</translation>
+        </message>
+        <message>
+            <source>“%1” is no name for a job.</source>
+            <translation>“%1”은(는) 잡 이름으로 사용할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The header names the job “%1”: that job would be written.</source>
+            <translation>헤더의 잡 이름은 “%1”입니다. 그 잡에 쓰게 됩니다.</translation>
+        </message>
+        <message>
+            <source>This is no job: it does not have the line /JOB.</source>
+            <translation>잡이 아닙니다. /JOB 행이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The first instruction is not NOP.</source>
+            <translation>첫 명령이 NOP가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The last instruction is not END.</source>
+            <translation>마지막 명령이 END가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>///NPOS does not count the positions; there are %1.</source>
+            <translation>///NPOS의 위치 수가 맞지 않습니다. 실제는 %1개입니다.</translation>
+        </message>
+        <message>
+            <source>The job is being executed.</source>
+            <translation>잡이 실행 중입니다.</translation>
+        </message>
+        <message>
+            <source>There is a control character in line %1.</source>
+            <translation>행 %1에 제어 문자가 있습니다.</translation>
+        </message>
+        <message>
+            <source>Lines do not end in CR LF, from line %1 on.</source>
+            <translation>행 %1부터 행 끝이 CR LF가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The last line does not end.</source>
+            <translation>마지막 행에 행 끝이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The comment is longer than 32 bytes.</source>
+            <translation>코멘트가 32바이트보다 깁니다.</translation>
+        </message>
+        <message>
+            <source>Line %1 has characters beyond ASCII outside of a comment.</source>
+            <translation>행 %1의 코멘트 이외 부분에 ASCII가 아닌 문자가 있습니다.</translation>
+        </message>
+        <message>
+            <source>All names in the controller become those in this file. Back them up first.</source>
+            <translation>컨트롤러의 모든 이름이 이 파일의 이름으로 바뀝니다. 먼저 백업하십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Restore</name>
+        <message>
+            <source>It is not in the backup.</source>
+            <translation>백업에 없습니다.</translation>
+        </message>
+        <message>
+            <source>What the controller has could not be read.</source>
+            <translation>컨트롤러에 있는 내용을 읽을 수 없었습니다.</translation>
+        </message>
+        <message>
+            <source>In the backup it is not as it was written.</source>
+            <translation>백업의 내용이 썼을 때와 다릅니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>files::Verify</name>
+        <message>
+            <source>This is no backup: %1 is missing or of another kind.</source>
+            <translation>백업이 아닙니다. %1이(가) 없거나 다른 종류입니다.</translation>
+        </message>
+        <message>
+            <source>%1 is not as it was written.</source>
+            <translation>%1이(가) 썼을 때와 다릅니다.</translation>
+        </message>
+        <message>
+            <source>%1 was changed.</source>
+            <translation>%1이(가) 변경되었습니다.</translation>
+        </message>
+        <message>
+            <source>%1 is missing.</source>
+            <translation>%1이(가) 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 does not belong to the backup.</source>
+            <translation>%1은(는) 이 백업에 속하지 않습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>journal::Database</name>
+        <message>
+            <source>The folder of the journal cannot be made.</source>
+            <translation>조작 이력 폴더를 만들 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The journal was made by a newer version of Pendesk.</source>
+            <translation>이 조작 이력은 더 새로운 버전의 Pendesk에서 만들어졌습니다.</translation>
+        </message>
+        <message>
+            <source>The damaged journal cannot be given another name.</source>
+            <translation>손상된 조작 이력의 이름을 변경할 수 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>journal::Store</name>
+        <message>
+            <source>The journal cannot be written: %1. Work goes on; records wait in memory.</source>
+            <translation>조작 이력에 쓸 수 없습니다: %1. 작업은 계속되며, 기록은 메모리에 보관됩니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::ActiveAlarmModel</name>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+        <message>
+            <source>Code</source>
+            <translation>코드</translation>
+        </message>
+        <message>
+            <source>Sub code</source>
+            <translation>서브 코드</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>내용</translation>
+        </message>
+        <message>
+            <source>Controller time</source>
+            <translation>컨트롤러 시각</translation>
+        </message>
+        <message>
+            <source>First seen</source>
+            <translation>첫 확인</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>횟수</translation>
+        </message>
+        <message>
+            <source>The controller tells the newest four alarms only, and this is not one of them. It may be active.</source>
+            <translation>컨트롤러는 최신 알람 4개만 알려 주며, 이 알람은 여기에 포함되지 않습니다. 발생 중일 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>First seen by this computer: %1</source>
+            <translation>이 컴퓨터의 첫 확인: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::AlarmHistoryModel</name>
+        <message>
+            <source>Controller time</source>
+            <translation>컨트롤러 시각</translation>
+        </message>
+        <message>
+            <source>List</source>
+            <translation>리스트</translation>
+        </message>
+        <message>
+            <source>Code</source>
+            <translation>코드</translation>
+        </message>
+        <message>
+            <source>Sub code</source>
+            <translation>서브 코드</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>내용</translation>
+        </message>
+        <message>
+            <source>Read here</source>
+            <translation>읽은 시각</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::CodeStatisticsModel</name>
+        <message>
+            <source>Code</source>
+            <translation>코드</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>이름</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>횟수</translation>
+        </message>
+        <message>
+            <source>Mean time between</source>
+            <translation>평균 간격</translation>
+        </message>
+        <message>
+            <source>Last, controller time</source>
+            <translation>마지막, 컨트롤러 시각</translation>
+        </message>
+        <message>
+            <source>%1 d %2 h</source>
+            <translation>%1일 %2시간</translation>
+        </message>
+        <message>
+            <source>%1 h %2 min</source>
+            <translation>%1시간 %2분</translation>
+        </message>
+        <message>
+            <source>under a minute</source>
+            <translation>1분 미만</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1분</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::IncidentModel</name>
+        <message>
+            <source>%1  %2</source>
+            <translation>%1  %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::IoModel</name>
+        <message>
+            <source>refused</source>
+            <translation>거부됨</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::JobListModel</name>
+        <message>
+            <source>%1 is being executed.</source>
+            <translation>%1이(가) 실행 중입니다.</translation>
+        </message>
+        <message>
+            <source>%1, favourite</source>
+            <translation>%1, 즐겨찾기</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::QueueModel</name>
+        <message>
+            <source>waiting</source>
+            <translation>대기 중</translation>
+        </message>
+        <message>
+            <source>under way</source>
+            <translation>전송 중</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>취소됨</translation>
+        </message>
+        <message>
+            <source>▲ %1</source>
+            <translation>▲ %1</translation>
+        </message>
+        <message>
+            <source>done</source>
+            <translation>완료</translation>
+        </message>
+        <message>
+            <source>done, read back identical</source>
+            <translation>완료, 다시 읽은 내용 일치</translation>
+        </message>
+        <message numerus="yes">
+            <source>done, the controller reformatted %n line(s)</source>
+            <translation>
+                <numerusform>완료, 컨트롤러가 %n개 행의 서식을 변경함</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>▲ read back different</source>
+            <translation>▲ 다시 읽은 내용 불일치</translation>
+        </message>
+        <message>
+            <source>▲ sent, but it could not be read back</source>
+            <translation>▲ 송신됨, 다시 읽을 수 없었음</translation>
+        </message>
+        <message>
+            <source>← to the computer</source>
+            <translation>← 컴퓨터로</translation>
+        </message>
+        <message>
+            <source>→ to the controller</source>
+            <translation>→ 컨트롤러로</translation>
+        </message>
+        <message>
+            <source>✕ delete</source>
+            <translation>✕ 삭제</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>%1/s</source>
+            <translation>%1/초</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Direction</source>
+            <translation>방향</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+        <message>
+            <source>Bytes</source>
+            <translation>바이트</translation>
+        </message>
+        <message>
+            <source>Rate</source>
+            <translation>속도</translation>
+        </message>
+        <message>
+            <source>Remaining</source>
+            <translation>남음</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::TrackModel</name>
+        <message>
+            <source>Not read at that time.</source>
+            <translation>그 시각에는 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Plot</source>
+            <translation>플롯</translation>
+        </message>
+        <message>
+            <source>Signal</source>
+            <translation>신호</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>값</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>단위</translation>
+        </message>
+        <message>
+            <source>Min in view</source>
+            <translation>표시 범위의 최소</translation>
+        </message>
+        <message>
+            <source>Max in view</source>
+            <translation>표시 범위의 최대</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::VariableModel</name>
+        <message>
+            <source>Number</source>
+            <translation>번호</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>이름</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>값</translation>
+        </message>
+        <message>
+            <source>Previous</source>
+            <translation>이전</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>변경 시각</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>메모</translation>
+        </message>
+        <message>
+            <source>(empty)</source>
+            <translation>(비어 있음)</translation>
+        </message>
+        <message>
+            <source>%1 (local)</source>
+            <translation>%1 (로컬)</translation>
+        </message>
+        <message>
+            <source>reads %1</source>
+            <translation>읽은 값 %1</translation>
+        </message>
+        <message>
+            <source>→ %1</source>
+            <comment>new value</comment>
+            <translation>→ %1</translation>
+        </message>
+        <message>
+            <source>wrote %1, reads %2</source>
+            <translation>쓴 값 %1, 읽은 값 %2</translation>
+        </message>
+        <message>
+            <source>%1 → %2</source>
+            <comment>old and new value</comment>
+            <translation>%1 → %2</translation>
+        </message>
+        <message>
+            <source>not sent yet</source>
+            <translation>아직 송신 안 함</translation>
+        </message>
+        <message>
+            <source>not sent: %1</source>
+            <translation>송신 안 함: %1</translation>
+        </message>
+        <message>
+            <source>being written…</source>
+            <translation>쓰는 중…</translation>
+        </message>
+        <message>
+            <source>refused: %1</source>
+            <translation>거부됨: %1</translation>
+        </message>
+        <message>
+            <source>outcome unknown, look at the robot: %1</source>
+            <translation>결과를 알 수 없음, 로봇을 확인하십시오: %1</translation>
+        </message>
+        <message>
+            <source>accepted, but another value was read back</source>
+            <translation>수락되었으나 다른 값이 읽힘</translation>
+        </message>
+        <message>
+            <source>The controller calls it “%1”.</source>
+            <translation>컨트롤러에서의 이름은 “%1”입니다.</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3</source>
+            <comment>B007, value: 17</comment>
+            <translation>%1, %2: %3</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::WatchModel</name>
+        <message>
+            <source>Signal</source>
+            <translation>신호</translation>
+        </message>
+        <message>
+            <source>In jobs</source>
+            <translation>잡에서 사용</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>이름</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>값</translation>
+        </message>
+        <message>
+            <source>Rising edges</source>
+            <translation>상승 에지</translation>
+        </message>
+        <message>
+            <source>Falling edges</source>
+            <translation>하강 에지</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>변경 시각</translation>
+        </message>
+    </context>
+    <context>
+        <name>motion::JogStep</name>
+        <message>
+            <source>A step must be above 0 and at most %1 pulses.</source>
+            <translation>스텝은 0보다 크고 %1 펄스 이하이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>A step must be above 0 and at most %1 mm.</source>
+            <translation>스텝은 0보다 크고 %1 mm 이하이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>A step must be above 0 and at most %1°.</source>
+            <translation>스텝은 0보다 크고 %1° 이하이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The present position was not read.</source>
+            <translation>현재 위치를 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The group has no such axis.</source>
+            <translation>이 그룹에 그 축이 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>motion::Plan</name>
+        <message>
+            <source>The speed must be above 0 and at most %1 mm/s.</source>
+            <translation>속도는 0보다 크고 %1 mm/s 이하이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The rotation speed must be above 0 and at most %1 °/s.</source>
+            <translation>회전 속도는 0보다 크고 %1 °/s 이하이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The joint speed must be above 0 and at most %1 %.</source>
+            <translation>관절 속도는 0보다 크고 %1 % 이하이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Where this frame stands cannot be read over HSES, so nobody here knows how far the move would go: use the base frame or an increment.</source>
+            <translation>이 좌표가 어디에 있는지는 HSES로 읽을 수 없으므로, 여기서는 이동 거리를 알 수 없습니다. 베이스 좌표 또는 증분을 사용하십시오.</translation>
+        </message>
+        <message>
+            <source>This robot stands on base axes, and HSES does not tell where they are in mm: enter where they shall be.</source>
+            <translation>이 로봇은 베이스축 위에 있으며, HSES는 베이스축의 위치를 mm로 알려 주지 않습니다. 베이스축의 목표 위치를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>The position has no six axes.</source>
+            <translation>위치에 6축이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The tool point stands outside the box of this controller.</source>
+            <translation>제어점이 이 컨트롤러의 허용 범위 밖에 있습니다.</translation>
+        </message>
+        <message>
+            <source>The move would leave the box of this controller.</source>
+            <translation>이 이동은 이 컨트롤러의 허용 범위를 벗어납니다.</translation>
+        </message>
+        <message>
+            <source>User and tool frames are off until the profile says that they were checked on the robot.</source>
+            <translation>로봇에서 확인했음이 프로파일에 설정될 때까지 유저 좌표와 툴 좌표는 사용할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The user frame must be from 1 to 63.</source>
+            <translation>유저 좌표는 1부터 63까지이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The tool must be from 0 to 63.</source>
+            <translation>툴은 0부터 63까지이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>A base or a station is moved in pulses.</source>
+            <translation>베이스 또는 스테이션은 펄스로 이동합니다.</translation>
+        </message>
+        <message>
+            <source>The present position was not read.</source>
+            <translation>현재 위치를 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>A target in pulses can only be reached by a joint move: how far the tool point would go, and so how fast, is not known here.</source>
+            <translation>펄스로 지정한 목표에는 관절 동작으로만 도달할 수 있습니다. 제어점의 이동 거리와 속도는 여기서 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>This controller has a box, and where pulses lead is not known here: use the base frame.</source>
+            <translation>이 컨트롤러에는 허용 범위가 설정되어 있으며, 펄스로 지정한 위치가 어디인지는 여기서 알 수 없습니다. 베이스 좌표를 사용하십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>names::Sentences</name>
+        <message>
+            <source>The line is not a number, a comma and a name.</source>
+            <translation>행이 번호, 쉼표, 이름의 형식이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The line stands in a section that names neither signals nor variables.</source>
+            <translation>신호도 변수도 나타내지 않는 섹션의 행입니다.</translation>
+        </message>
+        <message>
+            <source>This controller has no number %1 there.</source>
+            <translation>이 컨트롤러의 그 항목에는 번호 %1이(가) 없습니다.</translation>
+        </message>
+        <message>
+            <source>The name “%1” holds bytes that the text encoding does not know.</source>
+            <translation>이름 “%1”에 문자 코드에 없는 바이트가 있습니다.</translation>
+        </message>
+        <message>
+            <source>The number was named “%1” before; the last name counts.</source>
+            <translation>이 번호의 이름은 앞에서 “%1”이었습니다. 마지막 이름이 유효합니다.</translation>
+        </message>
+        <message>
+            <source>%1 has no signal #%2.</source>
+            <translation>%1에는 신호 #%2이(가) 없습니다.</translation>
+        </message>
+        <message>
+            <source>There is no #%1: the last digit of a signal is 0 to 7.</source>
+            <translation>#%1은(는) 없습니다. 신호의 마지막 자리는 0~7입니다.</translation>
+        </message>
+        <message>
+            <source>There is no %1#(%2): this controller has %1#(1) to %1#(%3).</source>
+            <translation>%1#(%2)은(는) 없습니다. 이 컨트롤러에는 %1#(1)~%1#(%3)이(가) 있습니다.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a signal. Write #00010, IN#(1) or OT#(1).</source>
+            <translation>“%1”은(는) 신호가 아닙니다. #00010, IN#(1) 또는 OT#(1)과 같이 쓰십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ActiveAlarmsCard</name>
+        <message>
+            <source>Active alarms</source>
+            <translation>발생 중인 알람</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>확인</translation>
+        </message>
+        <message>
+            <source>Acknowledge all</source>
+            <translation>모두 확인</translation>
+        </message>
+        <message>
+            <source>Acknowledging is noted on this computer only. The robot does not hear of it.</source>
+            <translation>확인은 이 컴퓨터에만 기록됩니다. 로봇에는 전달되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Choose one or more alarms in the table first.</source>
+            <translation>먼저 표에서 알람을 하나 이상 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Whether there is an alarm is not known now.</source>
+            <translation>알람이 있는지 현재 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>There is no alarm to clear.</source>
+            <translation>해제할 알람이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Clears the alarms whose causes are gone.</source>
+            <translation>원인이 없어진 알람을 해제합니다.</translation>
+        </message>
+        <message>
+            <source>Clears, if the cause is gone: %1.</source>
+            <translation>원인이 없어졌으면 해제합니다: %1.</translation>
+        </message>
+        <message>
+            <source>Whether there is an error is not known now.</source>
+            <translation>에러가 있는지 현재 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Clears the error message at the pendant, and no alarm.</source>
+            <translation>펜던트의 에러 메시지를 해제합니다. 알람은 해제하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>There is no error to clear.</source>
+            <translation>해제할 에러가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is known of the active alarms.</source>
+            <translation>연결되어 있지 않음: 발생 중인 알람을 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The alarms have not been read yet.</source>
+            <translation>알람을 아직 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The controller does not tell its alarms.</source>
+            <translation>컨트롤러가 알람을 알려 주지 않습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s) active when last seen.</source>
+            <translation>
+                <numerusform>마지막 확인 시 알람 %n개가 발생 중이었습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>No alarm is active.</source>
+            <translation>발생 중인 알람이 없습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s) active, the newest first.</source>
+            <translation>
+                <numerusform>알람 %n개 발생 중 (최신순).</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Reset accepted. Reading the alarms…</source>
+            <translation>리셋이 수락되었습니다. 알람을 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>Reset accepted. Whether an alarm is left is not known: the status cannot be read.</source>
+            <translation>리셋이 수락되었습니다. 남은 알람이 있는지 알 수 없습니다. 상태를 읽을 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Reset accepted. No alarm is active any more.</source>
+            <translation>리셋이 수락되었습니다. 더 이상 발생 중인 알람이 없습니다.</translation>
+        </message>
+        <message>
+            <source>▲ Accepted, still active: remove the cause first.</source>
+            <translation>▲ 수락되었으나 아직 발생 중입니다. 먼저 원인을 제거하십시오.</translation>
+        </message>
+        <message>
+            <source>▲ Accepted, still active: remove the cause first. Left are: %1.</source>
+            <translation>▲ 수락되었으나 아직 발생 중입니다. 먼저 원인을 제거하십시오. 남은 알람: %1.</translation>
+        </message>
+        <message>
+            <source>Cancel error accepted.</source>
+            <translation>에러 취소가 수락되었습니다.</translation>
+        </message>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>새 알람 %1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AlarmHistoryCard</name>
+        <message>
+            <source>History</source>
+            <translation>이력</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>복사</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>내보내기…</translation>
+        </message>
+        <message>
+            <source>Past alarms</source>
+            <translation>과거 알람</translation>
+        </message>
+        <message>
+            <source>Most frequent</source>
+            <translation>발생 빈도순</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>메모</translation>
+        </message>
+        <message>
+            <source>List</source>
+            <translation>리스트</translation>
+        </message>
+        <message>
+            <source>All lists</source>
+            <translation>모든 리스트</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>검색</translation>
+        </message>
+        <message>
+            <source>Search code, text or time</source>
+            <translation>코드, 내용, 시각 검색</translation>
+        </message>
+        <message>
+            <source>Most frequent alarms</source>
+            <translation>발생 빈도가 높은 알람</translation>
+        </message>
+        <message>
+            <source>Counted in everything this journal has of the controller. The times between are by the controller's clock; steps of that clock are left out.</source>
+            <translation>이 조작 이력에 있는 이 컨트롤러의 모든 기록으로 집계합니다. 간격은 컨트롤러의 시계 기준이며, 시계가 변경된 구간은 제외합니다.</translation>
+        </message>
+        <message>
+            <source>Note on %1</source>
+            <translation>%1의 메모</translation>
+        </message>
+        <message>
+            <source>Stop reading</source>
+            <translation>읽기 중지</translation>
+        </message>
+        <message>
+            <source>Read now</source>
+            <translation>지금 읽기</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading the history from the controller: %n entry(s) read.</source>
+            <translation>
+                <numerusform>컨트롤러에서 이력을 읽고 있습니다. %n건 읽음.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The journal cannot be read: %1.</source>
+            <translation>조작 이력을 읽을 수 없습니다: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading was stopped. %n entry(s) in the journal.</source>
+            <translation>
+                <numerusform>읽기를 중지했습니다. 조작 이력에 %n건.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The history could not be read to its end: %1.</source>
+            <translation>이력을 끝까지 읽을 수 없었습니다: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The newest %n entry(s) of the journal; the export has all of them.</source>
+            <translation>
+                <numerusform>조작 이력의 최신 %n건. 내보내기에는 모두 포함됩니다.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n entry(s) in the journal, kept for ever.</source>
+            <translation>
+                <numerusform>조작 이력에 %n건, 영구 보관.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Export past alarms</source>
+            <translation>과거 알람 내보내기</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n entry(s) exported.</source>
+            <translation>
+                <numerusform>%n건을 내보냈습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>내보내지 않음: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AlarmNotes</name>
+        <message>
+            <source>Save note</source>
+            <translation>메모 저장</translation>
+        </message>
+        <message>
+            <source>Export notes…</source>
+            <translation>메모 내보내기…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s) exported.</source>
+            <translation>
+                <numerusform>메모 %n개를 내보냈습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>내보내지 않음: %1.</translation>
+        </message>
+        <message>
+            <source>Export notes</source>
+            <translation>메모 내보내기</translation>
+        </message>
+        <message>
+            <source>Codes with a note</source>
+            <translation>메모가 있는 코드</translation>
+        </message>
+        <message>
+            <source>Alarm code</source>
+            <translation>알람 코드</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>원인</translation>
+        </message>
+        <message>
+            <source>What we did</source>
+            <translation>조치 내용</translation>
+        </message>
+        <message>
+            <source>The notes cannot be read: %1.</source>
+            <translation>메모를 읽을 수 없습니다: %1.</translation>
+        </message>
+        <message>
+            <source>No note yet.</source>
+            <translation>아직 메모가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Last changed by %1, %2.</source>
+            <translation>마지막 변경: %1, %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::AxesCard</name>
+        <message>
+            <source>pulses</source>
+            <translation>펄스</translation>
+        </message>
+        <message>
+            <source>degrees</source>
+            <translation>도</translation>
+        </message>
+        <message>
+            <source>following error, pulses</source>
+            <translation>위치 편차, 펄스</translation>
+        </message>
+        <message>
+            <source>torque, raw</source>
+            <translation>토크, 원시값</translation>
+        </message>
+        <message>
+            <source>As the controller sends it: the unit is stated nowhere.</source>
+            <translation>컨트롤러가 보낸 그대로입니다. 단위는 어디에도 명시되어 있지 않습니다.</translation>
+        </message>
+        <message>
+            <source>encoder, °C</source>
+            <translation>엔코더, °C</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <translation>최소</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>최대</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>축</translation>
+        </message>
+        <message>
+            <source>Converter %1: %2 °C</source>
+            <translation>컨버터 %1: %2 °C</translation>
+        </message>
+        <message>
+            <source>Converter %1: %2 °C, last seen %3</source>
+            <translation>컨버터 %1: %2 °C, 마지막 확인 %3</translation>
+        </message>
+        <message>
+            <source>Converter temperature: %1</source>
+            <translation>컨버터 온도: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::BackupPage</name>
+        <message>
+            <source>Taken</source>
+            <translation>백업 일시</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>변경 시각</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation>백업</translation>
+        </message>
+        <message>
+            <source> newest</source>
+            <translation> 개 (최신순)</translation>
+        </message>
+        <message>
+            <source>Keep any number</source>
+            <translation>개수 제한 없음</translation>
+        </message>
+        <message>
+            <source> days</source>
+            <translation> 일</translation>
+        </message>
+        <message>
+            <source>Keep any age</source>
+            <translation>기간 제한 없음</translation>
+        </message>
+        <message>
+            <source>Back up now</source>
+            <translation>지금 백업</translation>
+        </message>
+        <message>
+            <source>Verify</source>
+            <translation>검증</translation>
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation>고정</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>비교</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>변경</translation>
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation>다른 파일</translation>
+        </message>
+        <message numerus="yes">
+            <source>Good: every byte of %n file(s) is as it was written.</source>
+            <translation>
+                <numerusform>양호: 파일 %n개의 모든 바이트가 썼을 때와 같습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>▲ Not good: %1</source>
+            <translation>▲ 양호하지 않음: %1</translation>
+        </message>
+        <message>
+            <source>After a backup keep</source>
+            <translation>백업 후 보관 범위</translation>
+        </message>
+        <message>
+            <source>The last good backup and pinned ones are never deleted.</source>
+            <translation>마지막 양호한 백업과 고정된 백업은 삭제하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>비교 결과</translation>
+        </message>
+        <message>
+            <source>Compare with</source>
+            <translation>비교 대상</translation>
+        </message>
+        <message>
+            <source>with the backup before</source>
+            <translation>이전 백업과</translation>
+        </message>
+        <message>
+            <source>with the newest backup</source>
+            <translation>최신 백업과</translation>
+        </message>
+        <message>
+            <source>with the controller now</source>
+            <translation>컨트롤러의 현재 내용과</translation>
+        </message>
+        <message>
+            <source>Restore…</source>
+            <translation>복원…</translation>
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation>차이로 계산하지 않는 항목:</translation>
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation>백업을 선택하여 비교하십시오.</translation>
+        </message>
+        <message>
+            <source>In %1</source>
+            <translation>저장 위치: %1</translation>
+        </message>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation>▲ 더 이상 백업이 아님</translation>
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation>
+                <numerusform>▲ 파일 %n개 없음</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation>완전함</translation>
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation>%1, 고정됨</translation>
+        </message>
+        <message>
+            <source>Unpin</source>
+            <translation>고정 해제</translation>
+        </message>
+        <message>
+            <source>Choose a backup first.</source>
+            <translation>먼저 백업을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Files are being read.</source>
+            <translation>파일을 읽고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Reading file %1 of %2…</source>
+            <translation>파일 읽는 중 (%1 / %2)…</translation>
+        </message>
+        <message>
+            <source>Reading the lists…</source>
+            <translation>목록을 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>▲ There is no new backup: %1</source>
+            <translation>▲ 새 백업이 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>▲ %1 of %2 files were backed up.</source>
+            <translation>▲ 파일 %2개 중 %1개를 백업했습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>All %n file(s) were backed up.</source>
+            <translation>
+                <numerusform>파일 %n개를 모두 백업했습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Reading every byte…</source>
+            <translation>모든 바이트를 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>There is no other backup to compare with.</source>
+            <translation>비교할 다른 백업이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The controller's files were read.</source>
+            <translation>컨트롤러의 파일을 읽었습니다.</translation>
+        </message>
+        <message>
+            <source>≠ changed</source>
+            <translation>≠ 변경됨</translation>
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation>+ 신규</translation>
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation>− 없어짐</translation>
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation>▲ 읽지 않음, 알 수 없음</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation>
+                <numerusform>파일 %n개가 다름</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation>위에서 파일을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation>차이가 없습니다.</translation>
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation>백업에 있는 이 파일은 썼을 때와 다릅니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::CartesianCard</name>
+        <message>
+            <source>now</source>
+            <translation>현재</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <translation>최소</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>최대</translation>
+        </message>
+        <message>
+            <source>Tool point</source>
+            <translation>제어점</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>형태</translation>
+        </message>
+        <message>
+            <source>Extended form</source>
+            <translation>확장 형태</translation>
+        </message>
+        <message>
+            <source>%1 · base frame, tool %2</source>
+            <translation>%1 · 베이스 좌표, 툴 %2</translation>
+        </message>
+        <message>
+            <source>%1 · base frame</source>
+            <translation>%1 · 베이스 좌표</translation>
+        </message>
+        <message>
+            <source>%1 has no tool point: HSES tells it of robots only.</source>
+            <translation>%1에는 제어점이 없습니다. HSES는 로봇의 제어점만 알려 줍니다.</translation>
+        </message>
+        <message>
+            <source>%1, base frame, tool %2</source>
+            <translation>%1, 베이스 좌표, 툴 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::CycleCard</name>
+        <message>
+            <source>Cycle</source>
+            <translation>사이클</translation>
+        </message>
+        <message>
+            <source>Actual</source>
+            <translation>실제</translation>
+        </message>
+        <message>
+            <source>Requested here</source>
+            <translation>여기서의 요청</translation>
+        </message>
+        <message>
+            <source>Nothing was requested from here.</source>
+            <translation>여기서 요청한 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Cycle mode to request</source>
+            <translation>요청할 사이클 모드</translation>
+        </message>
+        <message>
+            <source>Request</source>
+            <translation>요청</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::FilePane</name>
+        <message numerus="yes">
+            <source>%n file(s)</source>
+            <translation>
+                <numerusform>파일 %n개</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::FilesPage</name>
+        <message>
+            <source>This computer</source>
+            <translation>이 컴퓨터</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>컨트롤러</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>다시 읽기</translation>
+        </message>
+        <message>
+            <source>← Fetch</source>
+            <translation>← 가져오기</translation>
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation>편집…</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>폴더…</translation>
+        </message>
+        <message>
+            <source>Folder of the files</source>
+            <translation>파일 폴더</translation>
+        </message>
+        <message>
+            <source>Type of the files</source>
+            <translation>파일 타입</translation>
+        </message>
+        <message>
+            <source>Send →</source>
+            <translation>송신 →</translation>
+        </message>
+        <message>
+            <source>Delete…</source>
+            <translation>삭제…</translation>
+        </message>
+        <message>
+            <source>Transfers</source>
+            <translation>전송</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation>실패 항목 재시도</translation>
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation>완료 항목 지우기</translation>
+        </message>
+        <message>
+            <source>There are no controller files in this folder.</source>
+            <translation>이 폴더에 컨트롤러 파일이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Reading the list…</source>
+            <translation>목록을 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>The controller lists no files of this type.</source>
+            <translation>컨트롤러의 목록에 이 타입의 파일이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Choose files on the left first.</source>
+            <translation>먼저 왼쪽에서 파일을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Choose files on the right first.</source>
+            <translation>먼저 오른쪽에서 파일을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Before sending</source>
+            <translation>송신 전</translation>
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation>
+                <numerusform>파일 %n개 송신</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation>이 컴퓨터 측</translation>
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation>%1 측</translation>
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation>“%1”에서 바뀔 내용</translation>
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation>%1의 파일 삭제</translation>
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation>%1에서 다음 파일을 삭제합니다:
+%2
+그 전에 각 파일을 %3에 복사합니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation>
+                <numerusform>파일 %n개 삭제</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation>%2의 “%1”에서 바뀌는 내용</translation>
+        </message>
+        <message>
+            <source>Send</source>
+            <translation>송신</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::GroupCard</name>
+        <message>
+            <source>axis %1</source>
+            <translation>축 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::HoldCard</name>
+        <message>
+            <source>Hold</source>
+            <translation>홀드</translation>
+        </message>
+        <message>
+            <source>Held by</source>
+            <translation>홀드 원인</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::IoPage</name>
+        <message>
+            <source>User in</source>
+            <translation>범용 입력</translation>
+        </message>
+        <message>
+            <source>User out</source>
+            <translation>범용 출력</translation>
+        </message>
+        <message>
+            <source>External in</source>
+            <translation>외부 입력</translation>
+        </message>
+        <message>
+            <source>Network in</source>
+            <translation>네트워크 입력</translation>
+        </message>
+        <message>
+            <source>External out</source>
+            <translation>외부 출력</translation>
+        </message>
+        <message>
+            <source>Network out</source>
+            <translation>네트워크 출력</translation>
+        </message>
+        <message>
+            <source>System in</source>
+            <translation>전용 입력</translation>
+        </message>
+        <message>
+            <source>System out</source>
+            <translation>전용 출력</translation>
+        </message>
+        <message>
+            <source>Panel</source>
+            <translation>패널</translation>
+        </message>
+        <message>
+            <source>Relays</source>
+            <translation>보조 릴레이</translation>
+        </message>
+        <message>
+            <source>Control</source>
+            <translation>제어 상태</translation>
+        </message>
+        <message>
+            <source>Pseudo in</source>
+            <translation>의사 입력</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>신호</translation>
+        </message>
+        <message>
+            <source>Area of signals</source>
+            <translation>신호 범위</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>바로 가기</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>바로 가기…  Ctrl+G</translation>
+        </message>
+        <message>
+            <source>Watched signals</source>
+            <translation>워치 중인 신호</translation>
+        </message>
+        <message>
+            <source>Count from 0</source>
+            <translation>0부터 다시 세기</translation>
+        </message>
+        <message>
+            <source>Watch</source>
+            <translation>워치</translation>
+        </message>
+        <message>
+            <source>Over HSES only network inputs can be written: this lamp only shows.</source>
+            <translation>HSES로는 네트워크 입력에만 쓸 수 있습니다. 이 램프는 표시 전용입니다.</translation>
+        </message>
+        <message>
+            <source>Write…</source>
+            <translation>쓰기…</translation>
+        </message>
+        <message>
+            <source>Name it here…</source>
+            <translation>여기서 이름 지정…</translation>
+        </message>
+        <message>
+            <source>Take the local name away</source>
+            <translation>로컬 이름 제거</translation>
+        </message>
+        <message>
+            <source>Watch no longer</source>
+            <translation>워치 중지</translation>
+        </message>
+        <message>
+            <source>Copy the address</source>
+            <translation>주소 복사</translation>
+        </message>
+        <message>
+            <source>Edges are counted from what is read four times a second; shorter pulses are not seen.</source>
+            <translation>에지는 초당 4회 읽은 값으로 셉니다. 더 짧은 펄스는 확인되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Network inputs can be written: press Enter on a lamp.</source>
+            <translation>네트워크 입력에 쓸 수 있습니다. 램프에서 Enter를 누르십시오.</translation>
+        </message>
+        <message>
+            <source>These lamps only show: over HSES only network inputs can be written.</source>
+            <translation>이 램프들은 표시 전용입니다. HSES로는 네트워크 입력에만 쓸 수 있습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n group(s) from %1 on are refused: %2.</source>
+            <translation>
+                <numerusform>%1부터 %n개 그룹이 거부되었습니다: %2.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The controller's names are not known: %1.</source>
+            <translation>컨트롤러의 이름을 알 수 없습니다: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) of IONAME.DAT could not be read.</source>
+            <translation>
+                <numerusform>IONAME.DAT의 %n개 행을 읽을 수 없었습니다.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobCard</name>
+        <message>
+            <source>Executing</source>
+            <translation>실행 중</translation>
+        </message>
+        <message>
+            <source>master task</source>
+            <translation>마스터 태스크</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobListCard</name>
+        <message>
+            <source>Jobs on the controller</source>
+            <translation>컨트롤러의 잡</translation>
+        </message>
+        <message>
+            <source>★ Favourite</source>
+            <translation>★ 즐겨찾기</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>다시 읽기</translation>
+        </message>
+        <message>
+            <source>Filter</source>
+            <translation>필터</translation>
+        </message>
+        <message>
+            <source>Filter jobs by name</source>
+            <translation>이름으로 잡 필터링</translation>
+        </message>
+        <message>
+            <source>The list could not be read: %1.</source>
+            <translation>목록을 읽을 수 없었습니다: %1.</translation>
+        </message>
+        <message>
+            <source>Reading the list…</source>
+            <translation>목록을 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>The list was not read yet.</source>
+            <translation>목록을 아직 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>There is no job on the controller.</source>
+            <translation>컨트롤러에 잡이 없습니다.</translation>
+        </message>
+        <message>
+            <source>No job has “%1” in its name.</source>
+            <translation>이름에 “%1”이(가) 포함된 잡이 없습니다.</translation>
+        </message>
+        <message>
+            <source>reading…</source>
+            <translation>읽는 중…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n job(s)</source>
+            <translation>
+                <numerusform>잡 %n개</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1, read at %2</source>
+            <translation>%1, %2에 읽음</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobTextCard</name>
+        <message>
+            <source>Job text</source>
+            <translation>잡 내용</translation>
+        </message>
+        <message>
+            <source>Choose a job in the list to read it.</source>
+            <translation>읽을 잡을 목록에서 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Follow what is executed</source>
+            <translation>실행 위치 따라가기</translation>
+        </message>
+        <message>
+            <source>Read again</source>
+            <translation>다시 읽기</translation>
+        </message>
+        <message>
+            <source>Labels and calls</source>
+            <translation>라벨과 호출</translation>
+        </message>
+        <message>
+            <source>%1  %2</source>
+            <comment>line and label</comment>
+            <translation>%1  %2</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>reading…</source>
+            <translation>읽는 중…</translation>
+        </message>
+        <message>
+            <source>read at %1</source>
+            <translation>%1에 읽음</translation>
+        </message>
+        <message>
+            <source>The job could not be read: %1.</source>
+            <translation>잡을 읽을 수 없었습니다: %1.</translation>
+        </message>
+        <message>
+            <source>Read at %1. The controller was in TEACH or the link was lost since: this copy may be old.</source>
+            <translation>%1에 읽음. 그 후 컨트롤러가 TEACH였거나 통신이 끊어졌으므로, 이 내용은 이전 것일 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>This file has no NOP line: it holds no instructions that could be shown.</source>
+            <translation>이 파일에 NOP 행이 없습니다. 표시할 수 있는 명령이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Reading the job…</source>
+            <translation>잡을 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>The job was not read yet.</source>
+            <translation>잡을 아직 읽지 않았습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JobsPage</name>
+        <message>
+            <source>Orders</source>
+            <translation>지령</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JogCard</name>
+        <message>
+            <source>Jog</source>
+            <translation>조그</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>스텝</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>속도</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>좌표</translation>
+        </message>
+        <message>
+            <source>Keyboard too: hold Ctrl and Space on the button that has the focus</source>
+            <translation>키보드 사용: 포커스가 있는 버튼에서 Ctrl과 Space를 누르고 있기</translation>
+        </message>
+        <message>
+            <source>Hold a button: one bounded step after another</source>
+            <translation>버튼을 누르고 있기: 제한된 스텝을 하나씩 차례로 실행</translation>
+        </message>
+        <message>
+            <source>After a lost link</source>
+            <translation>통신이 끊어진 경우</translation>
+        </message>
+        <message>
+            <source>Last step</source>
+            <translation>마지막 스텝</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation>베이스</translation>
+        </message>
+        <message>
+            <source>Robot</source>
+            <translation>로봇</translation>
+        </message>
+        <message>
+            <source>Axes (pulses)</source>
+            <translation>축 (펄스)</translation>
+        </message>
+        <message>
+            <source>%1 mm · %2°</source>
+            <translation>%1 mm · %2°</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>%1 mm/s · %2 °/s</source>
+            <translation>%1 mm/s · %2 °/s</translation>
+        </message>
+        <message>
+            <source>at most one step: %1 pulses</source>
+            <translation>최대 1스텝: %1 펄스</translation>
+        </message>
+        <message>
+            <source>at most one step: %1 mm or %2°, in %3 s at most</source>
+            <translation>최대 1스텝: %1 mm 또는 %2°, 최장 %3초</translation>
+        </message>
+        <message>
+            <source>Off: the profile has a motion limit that is no number above 0 (%1).</source>
+            <translation>사용 불가: 프로파일에 0보다 큰 수가 아닌 동작 제한값이 있습니다 (%1).</translation>
+        </message>
+        <message>
+            <source>No answer to the step: whether it was taken is unknown. HOLD was sent. Look at the robot.</source>
+            <translation>스텝에 대한 응답이 없습니다. 실행되었는지 알 수 없습니다. HOLD를 송신했습니다. 로봇을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Step sent…</source>
+            <translation>스텝 송신됨…</translation>
+        </message>
+        <message>
+            <source>Moving…</source>
+            <translation>이동 중…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n step(s), at rest.</source>
+            <translation>
+                <numerusform>%n스텝, 정지 상태.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>None yet.</source>
+            <translation>아직 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::JournalPage</name>
+        <message>
+            <source>At any time</source>
+            <translation>전체 기간</translation>
+        </message>
+        <message>
+            <source>Today</source>
+            <translation>오늘</translation>
+        </message>
+        <message>
+            <source>Last 7 days</source>
+            <translation>최근 7일</translation>
+        </message>
+        <message>
+            <source>Last 30 days</source>
+            <translation>최근 30일</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>조작 이력</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>컨트롤러</translation>
+        </message>
+        <message>
+            <source>All controllers</source>
+            <translation>모든 컨트롤러</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>내용</translation>
+        </message>
+        <message>
+            <source>Everything</source>
+            <translation>전체</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>결과</translation>
+        </message>
+        <message>
+            <source>Any outcome</source>
+            <translation>모든 결과</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>복사</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>내보내기…</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>소요 시간</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>검색</translation>
+        </message>
+        <message>
+            <source>Search in all texts</source>
+            <translation>모든 텍스트에서 검색</translation>
+        </message>
+        <message>
+            <source>Reading the journal…</source>
+            <translation>조작 이력을 읽고 있습니다…</translation>
+        </message>
+        <message>
+            <source>The journal cannot be read: %1.</source>
+            <translation>조작 이력을 읽을 수 없습니다: %1.</translation>
+        </message>
+        <message>
+            <source>Nothing was tried that fits this filter.</source>
+            <translation>이 필터에 해당하는 조작이 없습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The newest %n record(s). Scroll down for older ones.</source>
+            <translation>
+                <numerusform>최신 기록 %n건. 이전 기록은 아래로 스크롤하십시오.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n record(s)</source>
+            <translation>
+                <numerusform>기록 %n건</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a record to read all of it here.</source>
+            <translation>전체 내용을 볼 기록을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>%1: %2 at %3.</source>
+            <translation>%1: %2 (%3).</translation>
+        </message>
+        <message>
+            <source>Outcome: %1.</source>
+            <translation>결과: %1.</translation>
+        </message>
+        <message>
+            <source>By %1 at %2, level %3.</source>
+            <translation>실행자: %1 (%2), 레벨: %3.</translation>
+        </message>
+        <message>
+            <source>Export the journal</source>
+            <translation>조작 이력 내보내기</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n record(s) exported.</source>
+            <translation>
+                <numerusform>기록 %n건을 내보냈습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not exported: %1.</source>
+            <translation>내보내지 않음: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::LinkCard</name>
+        <message>
+            <source>%1 repeated</source>
+            <translation>재송신 %1</translation>
+        </message>
+        <message>
+            <source>%1 unanswered</source>
+            <translation>무응답 %1</translation>
+        </message>
+        <message>
+            <source>%1 late</source>
+            <translation>지연 %1</translation>
+        </message>
+        <message>
+            <source>%1 twice</source>
+            <translation>중복 %1</translation>
+        </message>
+        <message>
+            <source>%1 mismatched</source>
+            <translation>불일치 %1</translation>
+        </message>
+        <message>
+            <source>%1 malformed</source>
+            <translation>형식 이상 %1</translation>
+        </message>
+        <message>
+            <source>%1 from elsewhere</source>
+            <translation>다른 송신원 %1</translation>
+        </message>
+        <message>
+            <source>%1 busy</source>
+            <translation>비지 %1</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>없음</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>통신</translation>
+        </message>
+        <message>
+            <source>last 60 s</source>
+            <translation>최근 60초</translation>
+        </message>
+        <message>
+            <source>round trip p50 / p95</source>
+            <translation>왕복 시간 p50 / p95</translation>
+        </message>
+        <message>
+            <source>lost</source>
+            <translation>손실</translation>
+        </message>
+        <message>
+            <source>requests</source>
+            <translation>요청</translation>
+        </message>
+        <message>
+            <source>last answer</source>
+            <translation>마지막 응답</translation>
+        </message>
+        <message>
+            <source>sent / answered</source>
+            <translation>송신 / 응답</translation>
+        </message>
+        <message>
+            <source>unusual</source>
+            <translation>특이 사항</translation>
+        </message>
+        <message>
+            <source>%1 / %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>%1 /s of %2</source>
+            <translation>%1 /초 (상한 %2)</translation>
+        </message>
+        <message>
+            <source>%1 ago</source>
+            <translation>%1 전</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::MotionPage</name>
+        <message>
+            <source>Remote motion in automatic operation. The pendant’s enabling switch does not protect anyone here. Nobody may be inside the fence.</source>
+            <translation>자동 운전 중의 원격 동작입니다. 여기서는 펜던트의 인에이블 스위치가 아무도 보호하지 않습니다. 안전 펜스 안에 아무도 있어서는 안 됩니다.</translation>
+        </message>
+        <message>
+            <source>Before each step</source>
+            <translation>각 스텝 전</translation>
+        </message>
+        <message>
+            <source>Control group that moves</source>
+            <translation>움직일 제어 그룹</translation>
+        </message>
+        <message>
+            <source>Control group</source>
+            <translation>제어 그룹</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::MoveCard</name>
+        <message>
+            <source>Move</source>
+            <translation>이동</translation>
+        </message>
+        <message>
+            <source>Type of the move</source>
+            <translation>이동 종류</translation>
+        </message>
+        <message>
+            <source>Frame of the target</source>
+            <translation>목표 좌표</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>툴</translation>
+        </message>
+        <message>
+            <source>User frame</source>
+            <translation>유저 좌표</translation>
+        </message>
+        <message>
+            <source>Base axes in mm</source>
+            <translation>베이스축 (mm)</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>P 변수</translation>
+        </message>
+        <message>
+            <source>Rehearse…</source>
+            <translation>사전 확인…</translation>
+        </message>
+        <message>
+            <source>Joint</source>
+            <translation>관절 동작</translation>
+        </message>
+        <message>
+            <source>Straight</source>
+            <translation>직선 동작</translation>
+        </message>
+        <message>
+            <source>Straight, increment</source>
+            <translation>직선 동작, 증분</translation>
+        </message>
+        <message>
+            <source>Base frame</source>
+            <translation>베이스 좌표</translation>
+        </message>
+        <message>
+            <source>Robot frame</source>
+            <translation>로봇 좌표</translation>
+        </message>
+        <message>
+            <source>Tool frame</source>
+            <translation>툴 좌표</translation>
+        </message>
+        <message>
+            <source>Pulses</source>
+            <translation>펄스</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>타입</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>좌표</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>현재</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>목표</translation>
+        </message>
+        <message>
+            <source>change</source>
+            <translation>변화량</translation>
+        </message>
+        <message>
+            <source>Speed in mm/s</source>
+            <translation>속도 (mm/s)</translation>
+        </message>
+        <message>
+            <source>Rotation speed in °/s</source>
+            <translation>회전 속도 (°/s)</translation>
+        </message>
+        <message>
+            <source>Joint speed in %</source>
+            <translation>관절 속도 (%)</translation>
+        </message>
+        <message>
+            <source>mm/s, at most %1</source>
+            <translation>mm/s, 최대 %1</translation>
+        </message>
+        <message>
+            <source>°/s, at most %1</source>
+            <translation>°/s, 최대 %1</translation>
+        </message>
+        <message>
+            <source>% of joint speed, at most %1</source>
+            <translation>관절 속도의 %, 최대 %1</translation>
+        </message>
+        <message>
+            <source>Take the present position</source>
+            <translation>현재 위치 가져오기</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>P 가져오기</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>이전 위치</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>현재 위치를 P로 저장</translation>
+        </message>
+        <message>
+            <source>Target of %1 in %2</source>
+            <translation>%1의 목표 (%2)</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>%1 읽는 중…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>%1을(를) 읽을 수 없었습니다: %2.</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1은(는) 다른 좌표(%2)입니다. 가져오려면 그 좌표와 절대 이동을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>목표는 %1입니다.</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>로봇의 현재 위치만, 읽은 후에 저장할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1을(를) 쓰고 다시 읽어 확인했습니다.</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1은(는) 대조되지 않았습니다: %2.</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1을(를) 썼으나 다른 값이 읽혔습니다.</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>이 좌표에서 시작된 이동이 아직 없습니다</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>axis: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>There are three base axes at most.</source>
+            <translation>베이스축은 최대 3축입니다.</translation>
+        </message>
+        <message>
+            <source>Base axes: %1</source>
+            <translation>베이스축: %1</translation>
+        </message>
+        <message>
+            <source>Off: the profile has a motion limit that is no number above 0 (%1).</source>
+            <translation>사용 불가: 프로파일에 0보다 큰 수가 아닌 동작 제한값이 있습니다 (%1).</translation>
+        </message>
+        <message>
+            <source>Form: %1</source>
+            <translation>형태: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::NotConnectedPanel</name>
+        <message>
+            <source>Connect to %1</source>
+            <translation>%1에 연결</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>다른 컨트롤러…</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>연결…</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>데모 열기</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>연결되지 않음</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
+            <translation>아무것도 읽지 않고 아무것도 표시하지 않습니다. 네트워크의 로봇 컨트롤러에 이름 또는 주소로 연결하십시오. 컨트롤러의 이더넷 서버가 켜져 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
+            <translation>연결은 읽기만 합니다. 로봇이 없으면 데모의 시뮬레이션 컨트롤러를 사용할 수 있습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::OptionsCard</name>
+        <message>
+            <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
+            <translation>언제나: 위의 버튼, Pause 키 또는 Ctrl+Shift+H.</translation>
+        </message>
+        <message>
+            <source>sent repeatedly until confirmed or 2 s have passed. Have the pendant at hand.</source>
+            <translation>확인되거나 2초가 지날 때까지 반복 송신합니다. 펜던트를 가까이 두십시오.</translation>
+        </message>
+        <message>
+            <source>there is no connection: use the pendant.</source>
+            <translation>연결되어 있지 않습니다. 펜던트를 사용하십시오.</translation>
+        </message>
+        <message>
+            <source>What can I do now?</source>
+            <translation>지금 할 수 있는 것은?</translation>
+        </message>
+        <message>
+            <source>HOLD</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>possible</source>
+            <translation>가능</translation>
+        </message>
+        <message>
+            <source>not possible</source>
+            <translation>불가</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PendantCard</name>
+        <message>
+            <source>Pendant</source>
+            <translation>펜던트</translation>
+        </message>
+        <message>
+            <source>Message for the pendant</source>
+            <translation>펜던트에 보낼 메시지</translation>
+        </message>
+        <message>
+            <source>Show on the pendant</source>
+            <translation>펜던트에 표시</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 of %n byte(s)</source>
+            <translation>
+                <numerusform>%1 / %n바이트</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Type a message first.</source>
+            <translation>먼저 메시지를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>The controller's encoding cannot hold this: %1.</source>
+            <translation>컨트롤러의 문자 코드로 나타낼 수 없습니다: %1.</translation>
+        </message>
+        <message>
+            <source>The message is too long for the pendant.</source>
+            <translation>메시지가 펜던트에 표시하기에는 너무 깁니다.</translation>
+        </message>
+        <message>
+            <source>HLOCK was switched on from here: the pendant is locked out, but for its emergency stop.</source>
+            <translation>여기서 HLOCK을 ON으로 했습니다. 펜던트는 비상 정지를 제외하고 조작할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
+            <translation>HLOCK은 펜던트 조작을 금지합니다. ON인지는 HSES로 읽을 수 없습니다. 여기서는 ON으로 하지 않았습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PositionCard</name>
+        <message>
+            <source>Position</source>
+            <translation>위치</translation>
+        </message>
+        <message>
+            <source>R1 · base frame, tool %1  ·  pulses</source>
+            <translation>R1 · 베이스 좌표, 툴 %1  ·  펄스</translation>
+        </message>
+        <message>
+            <source>R1 · base frame  ·  pulses</source>
+            <translation>R1 · 베이스 좌표  ·  펄스</translation>
+        </message>
+        <message>
+            <source>axis %1</source>
+            <translation>축 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PositionPage</name>
+        <message>
+            <source>Control groups</source>
+            <translation>제어 그룹</translation>
+        </message>
+        <message>
+            <source>Reset min and max</source>
+            <translation>최소와 최대 리셋</translation>
+        </message>
+        <message>
+            <source>Copy as text</source>
+            <translation>텍스트로 복사</translation>
+        </message>
+        <message>
+            <source>Not shown because refused: %1 of %2 control groups.</source>
+            <translation>거부되어 표시하지 않음: 제어 그룹 %2개 중 %1개.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::RegistersPage</name>
+        <message>
+            <source>How registers are written</source>
+            <translation>레지스터 표기</translation>
+        </message>
+        <message>
+            <source>Decimal</source>
+            <translation>10진</translation>
+        </message>
+        <message>
+            <source>Signed</source>
+            <translation>부호 있음</translation>
+        </message>
+        <message>
+            <source>Hexadecimal</source>
+            <translation>16진</translation>
+        </message>
+        <message>
+            <source>Binary</source>
+            <translation>2진</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written; the others belong to the ladder.</source>
+            <translation>M000부터 M559까지 쓸 수 있습니다. 나머지는 래더가 사용합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SelectCard</name>
+        <message>
+            <source>Select</source>
+            <translation>선택</translation>
+        </message>
+        <message>
+            <source>Select as</source>
+            <translation>선택 방법</translation>
+        </message>
+        <message>
+            <source>to be executed</source>
+            <translation>실행할 잡</translation>
+        </message>
+        <message>
+            <source>master job</source>
+            <translation>마스터 잡</translation>
+        </message>
+        <message>
+            <source>master job of sub task %1</source>
+            <translation>서브 태스크 %1의 마스터 잡</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>시작 행</translation>
+        </message>
+        <message>
+            <source>line </source>
+            <translation>행 </translation>
+        </message>
+        <message>
+            <source>Select %1</source>
+            <translation>%1 선택</translation>
+        </message>
+        <message>
+            <source>Choose a job in the list first.</source>
+            <translation>먼저 목록에서 잡을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>%1, line %2</source>
+            <translation>%1, 행 %2</translation>
+        </message>
+        <message>
+            <source>task %1</source>
+            <translation>태스크 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SelectionCard</name>
+        <message>
+            <source>Job</source>
+            <translation>잡</translation>
+        </message>
+        <message>
+            <source>Selected</source>
+            <translation>선택됨</translation>
+        </message>
+        <message>
+            <source>Starts at</source>
+            <translation>시작 위치</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>실행 중</translation>
+        </message>
+        <message>
+            <source>Where it is</source>
+            <translation>현재 위치</translation>
+        </message>
+        <message>
+            <source>master task</source>
+            <translation>마스터 태스크</translation>
+        </message>
+        <message>
+            <source>No job is running.</source>
+            <translation>실행 중인 잡이 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ServoCard</name>
+        <message>
+            <source>Servo</source>
+            <translation>서보</translation>
+        </message>
+        <message>
+            <source>Servo power</source>
+            <translation>서보 전원</translation>
+        </message>
+        <message>
+            <source>A job is running: servo off stops it at once.</source>
+            <translation>잡이 실행 중입니다. 서보 OFF로 하면 즉시 정지합니다.</translation>
+        </message>
+        <message>
+            <source>Servo on…</source>
+            <translation>서보 ON…</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>서보 ON</translation>
+        </message>
+        <message>
+            <source>Switch servo power on at %1?
+
+The robot can move from then on. Nobody may be inside the fence.</source>
+            <translation>%1의 서보 전원을 ON으로 하시겠습니까?
+
+이후 로봇이 움직일 수 있습니다. 안전 펜스 안에 아무도 있어서는 안 됩니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::StartCard</name>
+        <message>
+            <source>Start</source>
+            <translation>기동</translation>
+        </message>
+        <message>
+            <source>Start…</source>
+            <translation>기동…</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::StateCard</name>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::SystemCard</name>
+        <message>
+            <source>System</source>
+            <translation>시스템</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>기종</translation>
+        </message>
+        <message>
+            <source>Software</source>
+            <translation>소프트웨어</translation>
+        </message>
+        <message>
+            <source>Parameters</source>
+            <translation>파라미터</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>복사</translation>
+        </message>
+        <message>
+            <source>Copy the system information</source>
+            <translation>시스템 정보 복사</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but this is the software of a %2: correct the profile.</source>
+            <translation>프로파일에는 %1이지만 이 소프트웨어는 %2의 것입니다. 프로파일을 수정하십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::TasksCard</name>
+        <message>
+            <source>Tasks</source>
+            <translation>태스크</translation>
+        </message>
+        <message>
+            <source>Show the sub tasks</source>
+            <translation>서브 태스크 표시</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n sub task(s)</source>
+            <translation>
+                <numerusform>서브 태스크 %n개</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Sub task %1</source>
+            <translation>서브 태스크 %1</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ToolPathCard</name>
+        <message>
+            <source>Tool path</source>
+            <translation>툴 궤적</translation>
+        </message>
+        <message>
+            <source>Clear path</source>
+            <translation>궤적 지우기</translation>
+        </message>
+        <message>
+            <source>%1 · base frame</source>
+            <translation>%1 · 베이스 좌표</translation>
+        </message>
+        <message>
+            <source>%1 has no tool point: HSES tells it of robots only.</source>
+            <translation>%1에는 제어점이 없습니다. HSES는 로봇의 제어점만 알려 줍니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::TrendPage</name>
+        <message>
+            <source>%1 s</source>
+            <translation>%1초</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1분</translation>
+        </message>
+        <message>
+            <source>Add signal…</source>
+            <translation>신호 추가…</translation>
+        </message>
+        <message>
+            <source>Export CSV…</source>
+            <translation>CSV 내보내기…</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>일시 정지</translation>
+        </message>
+        <message>
+            <source>Freezes the view; recording goes on.</source>
+            <translation>표시를 멈춥니다. 기록은 계속됩니다.</translation>
+        </message>
+        <message>
+            <source>Back to live</source>
+            <translation>실시간으로 돌아가기</translation>
+        </message>
+        <message>
+            <source>Time in view</source>
+            <translation>표시 시간</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>트렌드</translation>
+        </message>
+        <message>
+            <source>Nothing is plotted yet. Drag a number here from any page, choose “Add to trend” in its menu, or add a signal.</source>
+            <translation>아직 플롯이 없습니다. 임의의 페이지에서 숫자를 여기로 끌어 오거나, 그 메뉴에서 “트렌드에 추가”를 선택하거나, 신호를 추가하십시오.</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>신호</translation>
+        </message>
+        <message>
+            <source>Remove from trend</source>
+            <translation>트렌드에서 제거</translation>
+        </message>
+        <message>
+            <source>Incidents</source>
+            <translation>인시던트</translation>
+        </message>
+        <message>
+            <source>60 s before an alarm, 20 s after</source>
+            <translation>알람 60초 전부터 20초 후까지</translation>
+        </message>
+        <message>
+            <source>Open incident</source>
+            <translation>인시던트 열기</translation>
+        </message>
+        <message>
+            <source>No alarm has been recorded yet.</source>
+            <translation>아직 기록된 알람이 없습니다.</translation>
+        </message>
+        <message>
+            <source>It could not be saved: %1</source>
+            <translation>저장할 수 없었습니다: %1</translation>
+        </message>
+        <message>
+            <source>Incident of %1: %2</source>
+            <translation>%1의 인시던트: %2</translation>
+        </message>
+        <message>
+            <source>Paused at %1; recording goes on</source>
+            <translation>%1에 일시 정지됨. 기록은 계속됩니다</translation>
+        </message>
+        <message>
+            <source>Nothing is recorded: no communication</source>
+            <translation>아무것도 기록하지 않음: 통신 없음</translation>
+        </message>
+        <message>
+            <source>Live; values of %1</source>
+            <translation>실시간, %1의 값</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>실시간</translation>
+        </message>
+        <message>
+            <source>%1 is refused by the controller.</source>
+            <translation>%1은(는) 컨트롤러가 거부했습니다.</translation>
+        </message>
+        <message>
+            <source>Go on</source>
+            <translation>계속</translation>
+        </message>
+        <message>
+            <source>This incident cannot be read: %1</source>
+            <translation>이 인시던트를 읽을 수 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>Export what is in view</source>
+            <translation>표시 범위 내보내기</translation>
+        </message>
+        <message>
+            <source>CSV files (*.csv)</source>
+            <translation>CSV 파일 (*.csv)</translation>
+        </message>
+        <message>
+            <source>The file could not be written: %1</source>
+            <translation>파일에 쓸 수 없었습니다: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariableSheet</name>
+        <message>
+            <source>Discard</source>
+            <translation>폐기</translation>
+        </message>
+        <message>
+            <source>Undo last</source>
+            <translation>마지막 쓰기 되돌리기</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>레지스터</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>변수</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>바로 가기</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>바로 가기…  Ctrl+G</translation>
+        </message>
+        <message>
+            <source>Import…</source>
+            <translation>가져오기…</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>내보내기…</translation>
+        </message>
+        <message>
+            <source>%1 can only be read over HSES.</source>
+            <translation>%1은(는) HSES로는 읽기만 가능합니다.</translation>
+        </message>
+        <message>
+            <source>Writing…</source>
+            <translation>쓰는 중…</translation>
+        </message>
+        <message numerus="yes">
+            <source>Apply %n…</source>
+            <translation>
+                <numerusform>%n개 적용…</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The values are being written.</source>
+            <translation>값을 쓰고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing is staged: press Enter in a value.</source>
+            <translation>쓰기 예정인 값이 없습니다. 값에서 Enter를 누르십시오.</translation>
+        </message>
+        <message>
+            <source>Nothing is staged.</source>
+            <translation>쓰기 예정인 값이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Stages the values that stood there before.</source>
+            <translation>쓰기 전의 값을 쓰기 예정에 추가합니다.</translation>
+        </message>
+        <message>
+            <source>Nothing was written that could be undone.</source>
+            <translation>되돌릴 수 있는 쓰기가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Import values</source>
+            <translation>값 가져오기</translation>
+        </message>
+        <message>
+            <source>CSV files (*.csv)</source>
+            <translation>CSV 파일 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Export values</source>
+            <translation>값 내보내기</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariableTransfer</name>
+        <message>
+            <source>%1 cannot be read: %2.</source>
+            <translation>%1을(를) 읽을 수 없습니다: %2.</translation>
+        </message>
+        <message>
+            <source>%1 was written.</source>
+            <translation>%1을(를) 썼습니다.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written: %2.</source>
+            <translation>%1에 쓸 수 없습니다: %2.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Reading %n variable(s)…</source>
+            <translation>
+                <numerusform>변수 %n개를 읽고 있습니다…</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::VariablesPage</name>
+        <message>
+            <source>Verify…</source>
+            <translation>대조…</translation>
+        </message>
+        <message>
+            <source>Kind of variable</source>
+            <translation>변수 종류</translation>
+        </message>
+        <message>
+            <source>Compares two variables with the pendant. It only reads.</source>
+            <translation>변수 2개를 펜던트와 비교합니다. 읽기만 합니다.</translation>
+        </message>
+        <message>
+            <source>New watch page…</source>
+            <translation>새 워치 페이지…</translation>
+        </message>
+        <message>
+            <source>New watch page</source>
+            <translation>새 워치 페이지</translation>
+        </message>
+        <message>
+            <source>Name of the page</source>
+            <translation>페이지 이름</translation>
+        </message>
+        <message>
+            <source>Watch: %1</source>
+            <translation>워치: %1</translation>
+        </message>
+        <message>
+            <source>Delete this watch page</source>
+            <translation>이 워치 페이지 삭제</translation>
+        </message>
+        <message>
+            <source>Show on the watch page “%1”</source>
+            <translation>워치 페이지 “%1”에 표시</translation>
+        </message>
+        <message>
+            <source>Take off this watch page</source>
+            <translation>이 워치 페이지에서 제거</translation>
+        </message>
+        <message>
+            <source>There is no watch page yet.</source>
+            <translation>아직 워치 페이지가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Numbering not verified: nothing is written before it was compared with the pendant.</source>
+            <translation>변수 번호 방식이 대조되지 않았습니다. 펜던트와 비교하기 전에는 아무것도 쓰지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Simulation: number %1 on the network is B000.</source>
+            <translation>시뮬레이션: 네트워크의 번호 %1이(가) B000입니다.</translation>
+        </message>
+        <message>
+            <source>Numbering verified %1: number %2 on the network is B000.</source>
+            <translation>변수 번호 방식 대조됨 (%1): 네트워크의 번호 %2이(가) B000입니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendesk</name>
+        <message>
+            <source>A teach and monitor desk for Yaskawa robot controllers.</source>
+            <translation>야스카와 로봇 컨트롤러용 티칭 및 모니터링 데스크입니다.</translation>
+        </message>
+        <message>
+            <source>Connect to a simulated controller inside the program.</source>
+            <translation>프로그램 안의 시뮬레이션 컨트롤러에 연결합니다.</translation>
+        </message>
+        <message>
+            <source>light, dark, or auto for the desktop's choice.</source>
+            <translation>light, dark 또는 데스크톱 설정을 따르는 auto.</translation>
+        </message>
+        <message>
+            <source>Language of the window, as a code such as de; the desktop's unless told otherwise.</source>
+            <translation>창의 언어 (de와 같은 코드). 지정하지 않으면 데스크톱의 언어.</translation>
+        </message>
+        <message>
+            <source>Allow watching, HOLD and servo off alone, whatever the person at the desk tries.</source>
+            <translation>조작자가 무엇을 시도하든 모니터링, HOLD, 서보 OFF만 허용합니다.</translation>
+        </message>
+        <message>
+            <source>Write pictures of every page to this folder, print the status read, and end.</source>
+            <translation>모든 페이지의 그림을 이 폴더에 쓰고, 읽은 상태를 출력한 후 종료합니다.</translation>
+        </message>
+        <message>
+            <source>Print when the window was painted and when the first status was live.</source>
+            <translation>창이 그려진 시각과 첫 상태가 실시간이 된 시각을 출력합니다.</translation>
+        </message>
+        <message>
+            <source>--demo brings its own controller: leave out --host and --profile.</source>
+            <translation>--demo는 자체 컨트롤러를 사용합니다. --host와 --profile은 지정하지 마십시오.</translation>
+        </message>
+        <message>
+            <source>--theme must be light, dark or auto.</source>
+            <translation>--theme은 light, dark, auto 중 하나이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>--language must be one of: %1.</source>
+            <translation>--language는 다음 중 하나이어야 합니다: %1.</translation>
+        </message>
+        <message>
+            <source>“%1” is not an option.</source>
+            <translation>“%1”은(는) 옵션이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>--pictures needs a folder, and --demo, --host or --profile.</source>
+            <translation>--pictures에는 폴더와 --demo, --host, --profile 중 하나가 필요합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendesk::Pictures</name>
+        <message>
+            <source>pendesk: the folder %1 cannot be made.</source>
+            <translation>pendesk: 폴더 %1을(를) 만들 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>not everything was read</source>
+            <translation>모두 읽지는 못했습니다</translation>
+        </message>
+        <message>
+            <source>pendesk: no live controller within 5 s: %1.</source>
+            <translation>pendesk: 5초 이내에 실시간 컨트롤러가 없습니다: %1.</translation>
+        </message>
+        <message>
+            <source>pendesk: %1 cannot be written.</source>
+            <translation>pendesk: %1에 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>기종</translation>
+        </message>
+        <message>
+            <source>Software</source>
+            <translation>소프트웨어</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>모드</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>사이클</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>서보</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>운전</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>홀드</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>에러</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>실행 중</translation>
+        </message>
+        <message>
+            <source>Pictures are in %1</source>
+            <translation>그림 저장 위치: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendeskctl</name>
+        <message>
+            <source>%1 files were restored. The fresh backup is %2.</source>
+            <translation>파일 %1개를 복원했습니다. 새 백업은 %2입니다.</translation>
+        </message>
+        <message>
+            <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
+            <translation>%1에서 중지했습니다. 원래 내용은 %2에 있습니다. 이 이름으로 그것을 “restore”하면 되돌아갑니다.</translation>
+        </message>
+        <message>
+            <source>Delete all but the newest N backups afterwards, never the last good one.</source>
+            <translation>이후 최신 N개를 제외한 백업을 삭제합니다. 마지막 양호한 백업은 삭제하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Delete backups older than N days afterwards, never the last good one.</source>
+            <translation>이후 N일보다 오래된 백업을 삭제합니다. 마지막 양호한 백업은 삭제하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Reads all files of the controller into DIR/&lt;controller&gt;/&lt;UTC time&gt;, in BagIt form.</source>
+            <translation>컨트롤러의 모든 파일을 BagIt 형식으로 DIR/&lt;controller&gt;/&lt;UTC time&gt;에 읽어 옵니다.</translation>
+        </message>
+        <message>
+            <source>Say the folder of the backups.</source>
+            <translation>백업 폴더를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Reads a backup and tells whether it is what was written.</source>
+            <translation>백업을 읽고 썼을 때와 같은지 알려 줍니다.</translation>
+        </message>
+        <message>
+            <source>Say the backup.</source>
+            <translation>백업을 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Count dates, counters, blanks and line ends as differences too.</source>
+            <translation>날짜, 카운터, 공백, 행 끝의 차이도 차이로 계산합니다.</translation>
+        </message>
+        <message>
+            <source>Compares two backups, or a backup with the controller; exit code 1 if they differ.</source>
+            <translation>백업 2개 또는 백업과 컨트롤러를 비교합니다. 다르면 종료 코드는 1입니다.</translation>
+        </message>
+        <message>
+            <source>Say one or two backups.</source>
+            <translation>백업을 1개 또는 2개 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Only print what would be done.</source>
+            <translation>실행될 내용만 출력합니다.</translation>
+        </message>
+        <message>
+            <source>Sends back what differs from a backup: first a fresh backup beside it, then file by file, each read back. Stops at the first error; never while a job runs.</source>
+            <translation>백업과 다른 것을 다시 송신합니다. 먼저 그 옆에 새 백업을 만들고, 그다음 파일을 하나씩 송신하고 다시 읽어 확인합니다. 첫 에러에서 중지하며, 잡 실행 중에는 수행하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
+            <translation>백업이 썼을 때와 다릅니다. 잘못된 내용은 “verify”로 알 수 있습니다. 이 백업에서는 아무것도 복원하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>“%1” is no file name.</source>
+            <translation>“%1”은(는) 파일 이름이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Print for people instead of JSON.</source>
+            <translation>JSON 대신 사람이 읽는 형식으로 출력합니다.</translation>
+        </message>
+        <message>
+            <source>The request that a reply answers.</source>
+            <translation>응답이 대응하는 요청.</translation>
+        </message>
+        <message>
+            <source>The port of the packets: 10040 or 10041.</source>
+            <translation>패킷의 포트: 10040 또는 10041.</translation>
+        </message>
+        <message>
+            <source>The encoding of texts.</source>
+            <translation>텍스트의 문자 코드.</translation>
+        </message>
+        <message>
+            <source>The controller model.</source>
+            <translation>컨트롤러의 기종.</translation>
+        </message>
+        <message>
+            <source>A packet; without any, one a line on stdin.</source>
+            <translation>패킷. 지정하지 않으면 stdin에서 한 행에 하나씩.</translation>
+        </message>
+        <message>
+            <source>A job is running; files are not changed meanwhile.</source>
+            <translation>잡이 실행 중입니다. 그동안에는 파일을 변경하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The name “%1” has no IPv4 address.</source>
+            <translation>이름 “%1”의 IPv4 주소가 없습니다.</translation>
+        </message>
+        <message>
+            <source>The folder “%1” cannot be made.</source>
+            <translation>폴더 “%1”을(를) 만들 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 exists and is left alone; --yes replaces it.</source>
+            <translation>%1이(가) 이미 있으므로 그대로 둡니다. 바꾸려면 --yes를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>“%1” is no name that a controller takes.</source>
+            <translation>“%1”은(는) 컨트롤러가 받는 이름이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>%1 exists at the controller and is left alone; --replace replaces it.</source>
+            <translation>%1이(가) 컨트롤러에 이미 있으므로 그대로 둡니다. 바꾸려면 --replace를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Lists the jobs.</source>
+            <translation>잡 목록을 출력합니다.</translation>
+        </message>
+        <message>
+            <source>The folder for what comes; for rm, for the copies.</source>
+            <translation>가져온 파일의 폴더. rm에서는 사본의 폴더.</translation>
+        </message>
+        <message>
+            <source>put: replace what the controller has.</source>
+            <translation>put: 컨트롤러에 있는 것을 바꿉니다.</translation>
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
+            <translation>파일의 목록 출력, 읽기, 송신, 삭제를 합니다. 송신한 파일은 다시 읽어 확인합니다. 파일을 삭제하기 전에 사본을 여기에 씁니다.</translation>
+        </message>
+        <message>
+            <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
+            <translation>“ls”, “get NAME…”, “put FILE…”, “rm NAME…” 중 하나를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>read status, job, position and system information</source>
+            <translation>상태, 잡, 위치, 시스템 정보 읽기</translation>
+        </message>
+        <message>
+            <source>read model, system software and parameter version</source>
+            <translation>기종, 시스템 소프트웨어, 파라미터 버전 읽기</translation>
+        </message>
+        <message>
+            <source>read the active alarms, or a list of the history</source>
+            <translation>발생 중인 알람 또는 이력의 리스트 읽기</translation>
+        </message>
+        <message>
+            <source>read where the robot stands</source>
+            <translation>로봇의 현재 위치 읽기</translation>
+        </message>
+        <message>
+            <source>list the jobs</source>
+            <translation>잡 목록 출력</translation>
+        </message>
+        <message>
+            <source>read I/O, write a network input</source>
+            <translation>I/O 읽기, 네트워크 입력 쓰기</translation>
+        </message>
+        <message>
+            <source>read and write registers</source>
+            <translation>레지스터 읽기와 쓰기</translation>
+        </message>
+        <message>
+            <source>read and write variables</source>
+            <translation>변수 읽기와 쓰기</translation>
+        </message>
+        <message>
+            <source>list, read, send and delete files</source>
+            <translation>파일의 목록 출력, 읽기, 송신, 삭제</translation>
+        </message>
+        <message>
+            <source>read all files of a controller into a new backup</source>
+            <translation>컨트롤러의 모든 파일을 새 백업으로 읽기</translation>
+        </message>
+        <message>
+            <source>tell whether a backup is what was written</source>
+            <translation>백업이 썼을 때와 같은지 확인</translation>
+        </message>
+        <message>
+            <source>compare two backups, or one with the controller</source>
+            <translation>백업 2개 또는 백업과 컨트롤러 비교</translation>
+        </message>
+        <message>
+            <source>send back what differs from a backup</source>
+            <translation>백업과 다른 것을 다시 송신</translation>
+        </message>
+        <message>
+            <source>read values again and again</source>
+            <translation>값을 반복하여 읽기</translation>
+        </message>
+        <message>
+            <source>take packets given in hex apart</source>
+            <translation>16진으로 지정한 패킷 분해</translation>
+        </message>
+        <message>
+            <source>Usage: pendeskctl VERB [options]</source>
+            <translation>사용법: pendeskctl VERB [options]</translation>
+        </message>
+        <message>
+            <source>pendeskctl VERB --help tells more.</source>
+            <translation>자세한 내용은 pendeskctl VERB --help를 참조하십시오.</translation>
+        </message>
+        <message>
+            <source>there is no verb “%1”.</source>
+            <translation>“%1”이라는 VERB는 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1: the controller has no such row of I/O groups.</source>
+            <translation>%1: 컨트롤러에 그 범위의 I/O 그룹이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Instance of the first variable on this controller, 0 or 1 (parameter RS022).</source>
+            <translation>이 컨트롤러의 첫 변수의 인스턴스, 0 또는 1 (파라미터 RS022).</translation>
+        </message>
+        <message>
+            <source>Print JSON.</source>
+            <translation>JSON으로 출력합니다.</translation>
+        </message>
+        <message>
+            <source>Yes, write: what changes something does nothing without it.</source>
+            <translation>쓰기를 승인합니다. 지정하지 않으면 변경을 수반하는 조작은 아무것도 하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>No progress and no remarks.</source>
+            <translation>진행 상황과 설명을 출력하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>--numbering takes 0 or 1.</source>
+            <translation>--numbering에는 0 또는 1을 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Name the controller with --host or --profile.</source>
+            <translation>--host 또는 --profile로 컨트롤러를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>See pendeskctl %1 --help.</source>
+            <translation>pendeskctl %1 --help를 참조하십시오.</translation>
+        </message>
+        <message>
+            <source>This changes something at the controller or on this computer. Add --yes to do it.</source>
+            <translation>컨트롤러 또는 이 컴퓨터의 내용이 변경됩니다. 실행하려면 --yes를 추가하십시오.</translation>
+        </message>
+        <message>
+            <source>Say what to read.</source>
+            <translation>읽을 대상을 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Positions are not written from the command line.</source>
+            <translation>위치는 명령줄에서 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation>%1에 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Nobody has verified which instance a variable has on this controller. Compare one value with the pendant, then say --numbering 0 or --numbering 1.</source>
+            <translation>이 컨트롤러의 변수가 어느 인스턴스인지 아직 대조되지 않았습니다. 값 하나를 펜던트와 비교한 후 --numbering 0 또는 --numbering 1을 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Another value was read back: %1</source>
+            <translation>다른 값이 읽혔습니다: %1</translation>
+        </message>
+        <message>
+            <source>io set takes one signal, such as 27010, and 0 or 1.</source>
+            <translation>io set에는 27010과 같은 신호 하나와 0 또는 1을 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written: HSES writes network inputs alone.</source>
+            <translation>%1에 쓸 수 없습니다. HSES로는 네트워크 입력에만 쓸 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Say “get NAME…” or “set NAME VALUE”.</source>
+            <translation>“get NAME…” 또는 “set NAME VALUE”를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Reads model, system software and parameter version.</source>
+            <translation>기종, 시스템 소프트웨어, 파라미터 버전을 읽습니다.</translation>
+        </message>
+        <message>
+            <source>In pulses instead of the base frame.</source>
+            <translation>베이스 좌표 대신 펄스로 출력합니다.</translation>
+        </message>
+        <message>
+            <source>Reads where the first robot stands.</source>
+            <translation>첫 번째 로봇의 현재 위치를 읽습니다.</translation>
+        </message>
+        <message>
+            <source>A list of the history instead: major, minor, user, system or offline.</source>
+            <translation>대신 이력의 리스트: major, minor, user, system 또는 offline.</translation>
+        </message>
+        <message>
+            <source>Reads the active alarms, newest first.</source>
+            <translation>발생 중인 알람을 최신순으로 읽습니다.</translation>
+        </message>
+        <message>
+            <source>--history takes major, minor, user, system or offline.</source>
+            <translation>--history에는 major, minor, user, system, offline 중 하나를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Reads rows of I/O groups (2701..2710) or signals (27010, IN#(1)); writes one network input.</source>
+            <translation>I/O 그룹의 범위 (2701..2710) 또는 신호 (27010, IN#(1))를 읽습니다. 네트워크 입력 하나를 씁니다.</translation>
+        </message>
+        <message>
+            <source>Reads registers; writes one and reads it back.</source>
+            <translation>레지스터를 읽습니다. 하나를 쓰고 다시 읽어 확인합니다.</translation>
+        </message>
+        <message>
+            <source>Reads variables B I D R S P BP EX; writes one and reads it back.</source>
+            <translation>변수 B I D R S P BP EX를 읽습니다. 하나를 쓰고 다시 읽어 확인합니다.</translation>
+        </message>
+        <message>
+            <source>Time between two readings: 1s, 200ms.</source>
+            <translation>읽기 간격: 1s, 200ms.</translation>
+        </message>
+        <message>
+            <source>End after so many readings.</source>
+            <translation>이 횟수만큼 읽은 후 종료합니다.</translation>
+        </message>
+        <message>
+            <source>Reads variables, registers (M005) and I/O again and again, one line of JSON with --json.</source>
+            <translation>변수, 레지스터 (M005), I/O를 반복하여 읽습니다. --json을 지정하면 1회에 JSON 한 행입니다.</translation>
+        </message>
+        <message>
+            <source>--every takes a time such as 200ms or 1s, --count a whole number.</source>
+            <translation>--every에는 200ms나 1s와 같은 시간을, --count에는 정수를 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>Reads status, executing job, position and system information once.</source>
+            <translation>상태, 실행 중인 잡, 위치, 시스템 정보를 한 번 읽습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pendeskctl::AlarmReader</name>
+        <message>
+            <source>There are no alarms.</source>
+            <translation>알람이 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>protocol</name>
+        <message>
+            <source>refused with status %1, which is not in the code list</source>
+            <translation>스테이터스 %1로 거부되었습니다 (코드 목록에 없음)</translation>
+        </message>
+        <message>
+            <source>%1 refused, with a code that is not in the code list</source>
+            <translation>%1이(가) 거부되었습니다 (코드가 코드 목록에 없음)</translation>
+        </message>
+        <message>
+            <source>the controller did not answer; nothing was changed</source>
+            <translation>컨트롤러가 응답하지 않았습니다. 아무것도 변경되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>no answer: it may or may not have happened — look at the robot</source>
+            <translation>응답이 없습니다. 실행되었을 수도 있고 실행되지 않았을 수도 있습니다 — 로봇을 확인하십시오</translation>
+        </message>
+        <message>
+            <source>the answer does not fit the question</source>
+            <translation>응답이 요청과 맞지 않습니다</translation>
+        </message>
+        <message>
+            <source>nothing was sent</source>
+            <translation>아무것도 송신하지 않았습니다</translation>
+        </message>
+        <message>
+            <source>this computer's network refused</source>
+            <translation>이 컴퓨터의 네트워크가 거부했습니다</translation>
+        </message>
+        <message>
+            <source>this cannot be sent to a controller</source>
+            <translation>이것은 컨트롤러에 송신할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>a file on this computer could not be read or written</source>
+            <translation>이 컴퓨터의 파일을 읽거나 쓸 수 없었습니다</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>취소됨</translation>
+        </message>
+        <message>
+            <source>the command is faulty</source>
+            <translation>커맨드에 이상이 있습니다</translation>
+        </message>
+        <message>
+            <source>the command has the wrong number of operands</source>
+            <translation>커맨드의 오퍼랜드 수가 틀립니다</translation>
+        </message>
+        <message>
+            <source>an operand is out of its range</source>
+            <translation>오퍼랜드가 범위를 벗어났습니다</translation>
+        </message>
+        <message>
+            <source>an operand has the wrong length</source>
+            <translation>오퍼랜드의 길이가 틀립니다</translation>
+        </message>
+        <message>
+            <source>the device holds too many files</source>
+            <translation>디바이스의 파일이 너무 많습니다</translation>
+        </message>
+        <message>
+            <source>delete files that are not needed</source>
+            <translation>필요 없는 파일을 삭제하십시오</translation>
+        </message>
+        <message>
+            <source>the robot is running</source>
+            <translation>로봇이 동작 중입니다</translation>
+        </message>
+        <message>
+            <source>wait until it has stopped, or hold it</source>
+            <translation>정지할 때까지 기다리거나 홀드하십시오</translation>
+        </message>
+        <message>
+            <source>held by the pendant</source>
+            <translation>펜던트에 의한 홀드 중입니다</translation>
+        </message>
+        <message>
+            <source>release HOLD on the pendant</source>
+            <translation>펜던트에서 HOLD를 해제하십시오</translation>
+        </message>
+        <message>
+            <source>held by the playback panel</source>
+            <translation>플레이백 패널에 의한 홀드 중입니다</translation>
+        </message>
+        <message>
+            <source>release HOLD on the panel or pendant</source>
+            <translation>패널 또는 펜던트에서 HOLD를 해제하십시오</translation>
+        </message>
+        <message>
+            <source>held by an external signal</source>
+            <translation>외부 신호에 의한 홀드 중입니다</translation>
+        </message>
+        <message>
+            <source>release the external hold signal</source>
+            <translation>외부 홀드 신호를 해제하십시오</translation>
+        </message>
+        <message>
+            <source>held by a command</source>
+            <translation>커맨드에 의한 홀드 중입니다</translation>
+        </message>
+        <message>
+            <source>switch HOLD off</source>
+            <translation>HOLD를 OFF로 하십시오</translation>
+        </message>
+        <message>
+            <source>an alarm or error is present</source>
+            <translation>알람 또는 에러가 발생 중입니다</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset the alarm</source>
+            <translation>원인을 제거한 후 알람을 리셋하십시오</translation>
+        </message>
+        <message>
+            <source>servo power is off</source>
+            <translation>서보 전원이 OFF입니다</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>서보를 ON으로 하십시오</translation>
+        </message>
+        <message>
+            <source>the controller is in the wrong mode</source>
+            <translation>컨트롤러의 모드가 틀립니다</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to the mode needed, usually PLAY in REMOTE</source>
+            <translation>펜던트의 모드 키를 필요한 모드로 하십시오 (보통 REMOTE의 PLAY)</translation>
+        </message>
+        <message>
+            <source>the files are in use by another function</source>
+            <translation>다른 기능이 파일을 사용 중입니다</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>잠시 후 다시 시도하십시오</translation>
+        </message>
+        <message>
+            <source>command remote is not enabled</source>
+            <translation>커맨드 리모트가 유효하지 않습니다</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and enable command remote</source>
+            <translation>펜던트의 모드 키를 REMOTE로 하고 커맨드 리모트를 유효로 하십시오</translation>
+        </message>
+        <message>
+            <source>this data may not be accessed</source>
+            <translation>이 데이터에는 액세스할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>check the security mode and the data protection on the pendant</source>
+            <translation>펜던트에서 보안 모드와 데이터 보호를 확인하십시오</translation>
+        </message>
+        <message>
+            <source>this data may not be loaded</source>
+            <translation>이 데이터는 로드할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>the data is being edited</source>
+            <translation>데이터가 편집 중입니다</translation>
+        </message>
+        <message>
+            <source>leave the editor on the pendant</source>
+            <translation>펜던트에서 편집을 종료하십시오</translation>
+        </message>
+        <message>
+            <source>a coordinate conversion is in progress</source>
+            <translation>좌표 변환 중입니다</translation>
+        </message>
+        <message>
+            <source>try again when it has ended</source>
+            <translation>끝난 후 다시 시도하십시오</translation>
+        </message>
+        <message>
+            <source>servo power must be on first</source>
+            <translation>먼저 서보 전원이 ON이어야 합니다</translation>
+        </message>
+        <message>
+            <source>the home position must be set or checked</source>
+            <translation>원점 위치의 설정 또는 확인이 필요합니다</translation>
+        </message>
+        <message>
+            <source>check the home position on the pendant</source>
+            <translation>펜던트에서 원점 위치를 확인하십시오</translation>
+        </message>
+        <message>
+            <source>the position must be checked</source>
+            <translation>위치 확인이 필요합니다</translation>
+        </message>
+        <message>
+            <source>confirm the position on the pendant</source>
+            <translation>펜던트에서 위치 확인을 하십시오</translation>
+        </message>
+        <message>
+            <source>the present position is not available</source>
+            <translation>현재 위치를 얻을 수 없습니다</translation>
+        </message>
+        <message>
+            <source>the panel lock prohibits a change of mode or cycle</source>
+            <translation>패널 잠금으로 모드 또는 사이클의 변경이 금지되어 있습니다</translation>
+        </message>
+        <message>
+            <source>release the panel lock</source>
+            <translation>패널 잠금을 해제하십시오</translation>
+        </message>
+        <message>
+            <source>the panel lock prohibits a start</source>
+            <translation>패널 잠금으로 기동이 금지되어 있습니다</translation>
+        </message>
+        <message>
+            <source>the user frame is not taught</source>
+            <translation>유저 좌표가 티칭되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>teach the user frame</source>
+            <translation>유저 좌표를 티칭하십시오</translation>
+        </message>
+        <message>
+            <source>the user frame data is damaged</source>
+            <translation>유저 좌표의 데이터가 손상되었습니다</translation>
+        </message>
+        <message>
+            <source>teach the user frame again</source>
+            <translation>유저 좌표를 다시 티칭하십시오</translation>
+        </message>
+        <message>
+            <source>the control group is wrong</source>
+            <translation>제어 그룹이 틀립니다</translation>
+        </message>
+        <message>
+            <source>choose a control group that this controller has</source>
+            <translation>이 컨트롤러에 있는 제어 그룹을 선택하십시오</translation>
+        </message>
+        <message>
+            <source>the base axis data is wrong</source>
+            <translation>베이스축 데이터에 이상이 있습니다</translation>
+        </message>
+        <message>
+            <source>a relative job may not be converted</source>
+            <translation>상대 잡의 변환이 허가되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>permit the conversion on the pendant</source>
+            <translation>펜던트에서 변환을 허가하십시오</translation>
+        </message>
+        <message>
+            <source>a parameter prohibits calling the master job</source>
+            <translation>파라미터로 마스터 잡의 호출이 금지되어 있습니다</translation>
+        </message>
+        <message>
+            <source>permit the master call on the pendant</source>
+            <translation>펜던트에서 마스터 호출을 허가하십시오</translation>
+        </message>
+        <message>
+            <source>the master job may not be called while operating</source>
+            <translation>동작 중에는 마스터 잡을 호출할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>wait until the operation has ended</source>
+            <translation>동작이 끝날 때까지 기다리십시오</translation>
+        </message>
+        <message>
+            <source>the teach lock prohibits calling the master job</source>
+            <translation>티칭 잠금으로 마스터 잡의 호출이 금지되어 있습니다</translation>
+        </message>
+        <message>
+            <source>release the teach lock</source>
+            <translation>티칭 잠금을 해제하십시오</translation>
+        </message>
+        <message>
+            <source>robot calibration data is missing</source>
+            <translation>로봇 간 캘리브레이션 데이터가 없습니다</translation>
+        </message>
+        <message>
+            <source>calibrate the robots</source>
+            <translation>로봇 간 캘리브레이션을 하십시오</translation>
+        </message>
+        <message>
+            <source>servo power cannot be switched on</source>
+            <translation>서보 전원을 ON으로 할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>check the safety chain: emergency stop, safeguards, alarms</source>
+            <translation>안전 회로를 확인하십시오: 비상 정지, 안전 보호 장치, 알람</translation>
+        </message>
+        <message>
+            <source>the coordinate system cannot be set</source>
+            <translation>좌표계를 설정할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>no memory is left for jobs</source>
+            <translation>잡용 메모리가 남아 있지 않습니다</translation>
+        </message>
+        <message>
+            <source>delete jobs that are not needed</source>
+            <translation>필요 없는 잡을 삭제하십시오</translation>
+        </message>
+        <message>
+            <source>no memory is left for position data</source>
+            <translation>위치 데이터용 메모리가 남아 있지 않습니다</translation>
+        </message>
+        <message>
+            <source>editing of this job is prohibited</source>
+            <translation>이 잡의 편집이 금지되어 있습니다</translation>
+        </message>
+        <message>
+            <source>remove the edit lock of the job</source>
+            <translation>잡의 편집 금지를 해제하십시오</translation>
+        </message>
+        <message>
+            <source>a job of that name exists</source>
+            <translation>같은 이름의 잡이 있습니다</translation>
+        </message>
+        <message>
+            <source>delete or rename it, or permit overwriting</source>
+            <translation>삭제하거나 이름을 변경하거나 덮어쓰기를 허가하십시오</translation>
+        </message>
+        <message>
+            <source>the job was not found</source>
+            <translation>잡을 찾을 수 없습니다</translation>
+        </message>
+        <message>
+            <source>check the job name</source>
+            <translation>잡 이름을 확인하십시오</translation>
+        </message>
+        <message>
+            <source>no job is set for execution</source>
+            <translation>실행할 잡이 설정되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>select a job first</source>
+            <translation>먼저 잡을 선택하십시오</translation>
+        </message>
+        <message>
+            <source>position data is damaged</source>
+            <translation>위치 데이터가 손상되었습니다</translation>
+        </message>
+        <message>
+            <source>load the job again from a backup</source>
+            <translation>백업에서 잡을 다시 로드하십시오</translation>
+        </message>
+        <message>
+            <source>position data is missing</source>
+            <translation>위치 데이터가 없습니다</translation>
+        </message>
+        <message>
+            <source>teach the missing position</source>
+            <translation>없는 위치를 티칭하십시오</translation>
+        </message>
+        <message>
+            <source>the position variable has the wrong type</source>
+            <translation>위치 변수의 타입이 틀립니다</translation>
+        </message>
+        <message>
+            <source>write the type that the variable is declared with</source>
+            <translation>변수의 선언과 같은 타입으로 쓰십시오</translation>
+        </message>
+        <message>
+            <source>END was reached in a job that is not the master</source>
+            <translation>마스터가 아닌 잡에서 END에 도달했습니다</translation>
+        </message>
+        <message>
+            <source>instruction data is damaged</source>
+            <translation>명령 데이터가 손상되었습니다</translation>
+        </message>
+        <message>
+            <source>the job name has a character that is not allowed</source>
+            <translation>잡 이름에 사용할 수 없는 문자가 있습니다</translation>
+        </message>
+        <message>
+            <source>rename the job</source>
+            <translation>잡의 이름을 변경하십시오</translation>
+        </message>
+        <message>
+            <source>a label has a character that is not allowed</source>
+            <translation>라벨에 사용할 수 없는 문자가 있습니다</translation>
+        </message>
+        <message>
+            <source>rename the label</source>
+            <translation>라벨의 이름을 변경하십시오</translation>
+        </message>
+        <message>
+            <source>this system does not have the instruction</source>
+            <translation>이 시스템에 그 명령이 없습니다</translation>
+        </message>
+        <message>
+            <source>the job to convert has no steps</source>
+            <translation>변환할 잡에 스텝이 없습니다</translation>
+        </message>
+        <message>
+            <source>the job is converted already</source>
+            <translation>잡이 이미 변환되었습니다</translation>
+        </message>
+        <message>
+            <source>the user frame must be taught</source>
+            <translation>유저 좌표의 티칭이 필요합니다</translation>
+        </message>
+        <message>
+            <source>relative jobs or independent control are not permitted</source>
+            <translation>상대 잡 또는 독립 제어가 허가되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>an instruction has a syntax error</source>
+            <translation>명령에 구문 에러가 있습니다</translation>
+        </message>
+        <message>
+            <source>correct the instruction</source>
+            <translation>명령을 수정하십시오</translation>
+        </message>
+        <message>
+            <source>the position data has an error</source>
+            <translation>위치 데이터에 에러가 있습니다</translation>
+        </message>
+        <message>
+            <source>correct the position section</source>
+            <translation>위치 데이터 부분을 수정하십시오</translation>
+        </message>
+        <message>
+            <source>NOP or END is missing</source>
+            <translation>NOP 또는 END가 없습니다</translation>
+        </message>
+        <message>
+            <source>begin the instructions with NOP and end them with END</source>
+            <translation>명령을 NOP로 시작하고 END로 끝내십시오</translation>
+        </message>
+        <message>
+            <source>the format is wrong</source>
+            <translation>형식이 틀립니다</translation>
+        </message>
+        <message>
+            <source>the number of data is wrong</source>
+            <translation>데이터 수가 틀립니다</translation>
+        </message>
+        <message>
+            <source>correct the counts in the NPOS line</source>
+            <translation>NPOS 행의 수를 수정하십시오</translation>
+        </message>
+        <message>
+            <source>a value is out of range</source>
+            <translation>값이 범위를 벗어났습니다</translation>
+        </message>
+        <message>
+            <source>correct the value</source>
+            <translation>값을 수정하십시오</translation>
+        </message>
+        <message>
+            <source>there is a syntax error outside the instructions</source>
+            <translation>명령 이외의 부분에 구문 에러가 있습니다</translation>
+        </message>
+        <message>
+            <source>correct the header of the file</source>
+            <translation>파일의 헤더를 수정하십시오</translation>
+        </message>
+        <message>
+            <source>a pseudo instruction is wrong</source>
+            <translation>의사 명령에 이상이 있습니다</translation>
+        </message>
+        <message>
+            <source>correct the line that starts with slashes</source>
+            <translation>슬래시로 시작하는 행을 수정하십시오</translation>
+        </message>
+        <message>
+            <source>a record of a condition file has an error</source>
+            <translation>조건 파일의 레코드에 에러가 있습니다</translation>
+        </message>
+        <message>
+            <source>a record of a job has an error</source>
+            <translation>잡의 레코드에 에러가 있습니다</translation>
+        </message>
+        <message>
+            <source>the data comes from a different system</source>
+            <translation>다른 시스템의 데이터입니다</translation>
+        </message>
+        <message>
+            <source>the welding type does not match</source>
+            <translation>용접 타입이 일치하지 않습니다</translation>
+        </message>
+        <message>
+            <source>the robot or station is operating</source>
+            <translation>로봇 또는 스테이션이 동작 중입니다</translation>
+        </message>
+        <message>
+            <source>back up when nothing moves</source>
+            <translation>아무것도 움직이지 않을 때 백업하십시오</translation>
+        </message>
+        <message>
+            <source>the device has too little memory</source>
+            <translation>디바이스의 메모리가 부족합니다</translation>
+        </message>
+        <message>
+            <source>free memory on the device or use a larger one</source>
+            <translation>디바이스의 메모리를 비우거나 더 큰 것을 사용하십시오</translation>
+        </message>
+        <message>
+            <source>the device cannot be accessed</source>
+            <translation>디바이스에 액세스할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>check that the device is inserted</source>
+            <translation>디바이스가 삽입되어 있는지 확인하십시오</translation>
+        </message>
+        <message>
+            <source>a backup was not expected now</source>
+            <translation>지금은 백업을 받아들이는 상태가 아닙니다</translation>
+        </message>
+        <message>
+            <source>the image is larger than the RAM area</source>
+            <translation>이미지가 RAM 영역보다 큽니다</translation>
+        </message>
+        <message>
+            <source>enlarge the RAM area for backups</source>
+            <translation>백업용 RAM 영역을 늘리십시오</translation>
+        </message>
+        <message>
+            <source>no memory was reserved at power-on</source>
+            <translation>전원 투입 시 메모리가 확보되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>switch the controller off and on</source>
+            <translation>컨트롤러의 전원을 껐다가 다시 켜십시오</translation>
+        </message>
+        <message>
+            <source>the backup file information cannot be accessed</source>
+            <translation>백업 파일의 정보에 액세스할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>the old backup could not be removed</source>
+            <translation>이전 백업을 제거할 수 없었습니다</translation>
+        </message>
+        <message>
+            <source>the backup could not be renamed</source>
+            <translation>백업의 이름을 변경할 수 없었습니다</translation>
+        </message>
+        <message>
+            <source>the drive name is too long</source>
+            <translation>드라이브 이름이 너무 깁니다</translation>
+        </message>
+        <message>
+            <source>the device is the wrong one</source>
+            <translation>디바이스가 틀립니다</translation>
+        </message>
+        <message>
+            <source>set the automatic backup to the RAM disk</source>
+            <translation>자동 백업을 RAM 디스크로 설정하십시오</translation>
+        </message>
+        <message>
+            <source>a system error occurred</source>
+            <translation>시스템 에러가 발생했습니다</translation>
+        </message>
+        <message>
+            <source>automatic backup is not available</source>
+            <translation>자동 백업을 사용할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>set up automatic backup on the pendant</source>
+            <translation>펜던트에서 자동 백업을 설정하십시오</translation>
+        </message>
+        <message>
+            <source>an automatic backup is running</source>
+            <translation>자동 백업이 실행 중입니다</translation>
+        </message>
+        <message>
+            <source>the controller does not know this command</source>
+            <translation>컨트롤러가 이 커맨드를 지원하지 않습니다</translation>
+        </message>
+        <message>
+            <source>the number does not exist on this controller</source>
+            <translation>그 번호는 이 컨트롤러에 없습니다</translation>
+        </message>
+        <message>
+            <source>check the number and the variable numbering</source>
+            <translation>번호와 변수 번호 방식을 확인하십시오</translation>
+        </message>
+        <message>
+            <source>the element does not exist on this controller</source>
+            <translation>그 요소는 이 컨트롤러에 없습니다</translation>
+        </message>
+        <message>
+            <source>the reply would be too large for the hardware</source>
+            <translation>응답이 하드웨어의 한도를 넘습니다</translation>
+        </message>
+        <message>
+            <source>ask for less at once</source>
+            <translation>한 번에 요청하는 양을 줄이십시오</translation>
+        </message>
+        <message>
+            <source>the reply would be too large</source>
+            <translation>응답이 너무 큽니다</translation>
+        </message>
+        <message>
+            <source>the position variable is not defined</source>
+            <translation>위치 변수가 정의되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>teach or write it first</source>
+            <translation>먼저 티칭하거나 쓰십시오</translation>
+        </message>
+        <message>
+            <source>this data may not be used</source>
+            <translation>이 데이터는 사용할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>the size of the request data is wrong</source>
+            <translation>요청 데이터의 크기가 틀립니다</translation>
+        </message>
+        <message>
+            <source>the data is not set</source>
+            <translation>데이터가 설정되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>set it first</source>
+            <translation>먼저 설정하십시오</translation>
+        </message>
+        <message>
+            <source>the application is not registered</source>
+            <translation>애플리케이션이 등록되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>the type is not registered</source>
+            <translation>타입이 등록되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>the control group setting is wrong</source>
+            <translation>제어 그룹의 설정이 틀립니다</translation>
+        </message>
+        <message>
+            <source>name either robots or stations that this controller has</source>
+            <translation>이 컨트롤러에 있는 로봇 또는 스테이션 중 하나를 지정하십시오</translation>
+        </message>
+        <message>
+            <source>the speed setting is wrong</source>
+            <translation>속도의 설정이 틀립니다</translation>
+        </message>
+        <message>
+            <source>use percent for joint and mm/s or °/s for straight moves</source>
+            <translation>관절 동작에는 퍼센트를, 직선 동작에는 mm/s 또는 °/s를 사용하십시오</translation>
+        </message>
+        <message>
+            <source>no speed is given</source>
+            <translation>속도가 지정되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>give a speed above 0</source>
+            <translation>0보다 큰 속도를 지정하십시오</translation>
+        </message>
+        <message>
+            <source>the coordinate system setting is wrong</source>
+            <translation>좌표계의 설정이 틀립니다</translation>
+        </message>
+        <message>
+            <source>the type or form setting is wrong</source>
+            <translation>타입 또는 형태의 설정이 틀립니다</translation>
+        </message>
+        <message>
+            <source>the tool number is wrong</source>
+            <translation>툴 번호가 틀립니다</translation>
+        </message>
+        <message>
+            <source>use 0 to 63</source>
+            <translation>0부터 63까지를 사용하십시오</translation>
+        </message>
+        <message>
+            <source>the user frame number is wrong</source>
+            <translation>유저 좌표 번호가 틀립니다</translation>
+        </message>
+        <message>
+            <source>use 1 to 63 with a user frame, else 0</source>
+            <translation>유저 좌표에서는 1부터 63까지, 그 외에는 0을 사용하십시오</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: data area</source>
+            <translation>컨트롤러 내부 에러: 데이터 영역</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: reply area exceeded</source>
+            <translation>컨트롤러 내부 에러: 응답 영역 초과</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: element size mismatch</source>
+            <translation>컨트롤러 내부 에러: 요소 크기 불일치</translation>
+        </message>
+        <message>
+            <source>internal error of the controller: customised function</source>
+            <translation>컨트롤러 내부 에러: 커스터마이즈 기능</translation>
+        </message>
+        <message>
+            <source>another error</source>
+            <translation>기타 에러</translation>
+        </message>
+        <message>
+            <source>busy with another command</source>
+            <translation>다른 커맨드를 처리 중입니다</translation>
+        </message>
+        <message>
+            <source>another access is in progress</source>
+            <translation>다른 액세스가 진행 중입니다</translation>
+        </message>
+        <message>
+            <source>the backup parameter setting is wrong</source>
+            <translation>백업 파라미터의 설정이 틀립니다</translation>
+        </message>
+        <message>
+            <source>the backup file was not created</source>
+            <translation>백업 파일이 만들어지지 않았습니다</translation>
+        </message>
+        <message>
+            <source>check that the controller is in remote mode</source>
+            <translation>컨트롤러가 리모트 모드인지 확인하십시오</translation>
+        </message>
+        <message>
+            <source>internal system error of the controller</source>
+            <translation>컨트롤러의 내부 시스템 에러</translation>
+        </message>
+        <message>
+            <source>the transfer was dropped: nothing came in time</source>
+            <translation>전송이 중단되었습니다. 시간 내에 아무것도 도착하지 않았습니다</translation>
+        </message>
+        <message>
+            <source>start the transfer again</source>
+            <translation>전송을 다시 시작하십시오</translation>
+        </message>
+        <message>
+            <source>the file cannot be overwritten</source>
+            <translation>파일을 덮어쓸 수 없습니다</translation>
+        </message>
+        <message>
+            <source>permit overwriting, or delete the file first</source>
+            <translation>덮어쓰기를 허가하거나 먼저 파일을 삭제하십시오</translation>
+        </message>
+        <message>
+            <source>the file is missing or empty</source>
+            <translation>파일이 없거나 비어 있습니다</translation>
+        </message>
+        <message>
+            <source>check the file name</source>
+            <translation>파일 이름을 확인하십시오</translation>
+        </message>
+        <message>
+            <source>the path is wrong</source>
+            <translation>경로가 틀립니다</translation>
+        </message>
+        <message>
+            <source>check the path</source>
+            <translation>경로를 확인하십시오</translation>
+        </message>
+        <message>
+            <source>the file is not in the list</source>
+            <translation>파일이 목록에 없습니다</translation>
+        </message>
+        <message>
+            <source>the file may not be deleted</source>
+            <translation>이 파일은 삭제할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>the directory may not be deleted</source>
+            <translation>이 디렉터리는 삭제할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>files cannot be accessed while remote is off</source>
+            <translation>리모트가 OFF인 동안에는 파일에 액세스할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>the file was not found</source>
+            <translation>파일을 찾을 수 없습니다</translation>
+        </message>
+        <message>
+            <source>the path is too long</source>
+            <translation>경로가 너무 깁니다</translation>
+        </message>
+        <message>
+            <source>use a shorter name</source>
+            <translation>더 짧은 이름을 사용하십시오</translation>
+        </message>
+        <message>
+            <source>packet without data</source>
+            <translation>데이터가 없는 패킷</translation>
+        </message>
+        <message>
+            <source>packet too large</source>
+            <translation>패킷이 너무 큼</translation>
+        </message>
+        <message>
+            <source>packet of size 0</source>
+            <translation>크기가 0인 패킷</translation>
+        </message>
+        <message>
+            <source>packet with a wrong block number</source>
+            <translation>블록 번호가 틀린 패킷</translation>
+        </message>
+        <message>
+            <source>packet with a wrong ACK byte</source>
+            <translation>ACK 바이트가 틀린 패킷</translation>
+        </message>
+        <message>
+            <source>packet of a wrong division</source>
+            <translation>처리 구분이 틀린 패킷</translation>
+        </message>
+        <message>
+            <source>check that robot and file port are not exchanged</source>
+            <translation>로봇 포트와 파일 포트가 바뀌지 않았는지 확인하십시오</translation>
+        </message>
+        <message>
+            <source>packet with a wrong access level</source>
+            <translation>액세스 레벨이 틀린 패킷</translation>
+        </message>
+        <message>
+            <source>packet with a wrong header size</source>
+            <translation>헤더 크기가 틀린 패킷</translation>
+        </message>
+        <message>
+            <source>packet with a wrong identifier</source>
+            <translation>식별자가 틀린 패킷</translation>
+        </message>
+        <message>
+            <source>announced and received packet sizes differ</source>
+            <translation>통지된 패킷 크기와 수신된 패킷 크기가 다름</translation>
+        </message>
+        <message>
+            <source>too many requests</source>
+            <translation>요청이 너무 많습니다</translation>
+        </message>
+        <message>
+            <source>ask less often, or try again in a moment</source>
+            <translation>요청 빈도를 줄이거나 잠시 후 다시 시도하십시오</translation>
+        </message>
+        <message>
+            <source>the mode was changed and the communication dropped</source>
+            <translation>모드가 변경되어 통신이 중단되었습니다</translation>
+        </message>
+        <message>
+            <source>start again in the new mode</source>
+            <translation>새 모드에서 다시 시작하십시오</translation>
+        </message>
+    </context>
+    <context>
+        <name>robot::Controller</name>
+        <message>
+            <source>The name %1 is not known to this computer.</source>
+            <translation>이 컴퓨터에서 이름 %1을(를) 알 수 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>robot::Diagnosis</name>
+        <message>
+            <source>Host name</source>
+            <translation>호스트 이름</translation>
+        </message>
+        <message>
+            <source>Way to the host</source>
+            <translation>호스트까지의 경로</translation>
+        </message>
+        <message>
+            <source>Robot port</source>
+            <translation>로봇 포트</translation>
+        </message>
+        <message>
+            <source>System information</source>
+            <translation>시스템 정보</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>파일 포트</translation>
+        </message>
+        <message>
+            <source>Not looked at, because the step before it failed.</source>
+            <translation>앞 단계가 불합격이므로 확인하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The name “%1” has no IPv4 address on this computer.</source>
+            <translation>이 컴퓨터에서 이름 “%1”의 IPv4 주소가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Check the spelling, or enter the controller's IPv4 address as the pendant shows it.</source>
+            <translation>철자를 확인하거나 펜던트에 표시되는 컨트롤러의 IPv4 주소를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>%1 is %2.</source>
+            <translation>%1은(는) %2입니다.</translation>
+        </message>
+        <message>
+            <source>This computer cannot send to %1: %2.</source>
+            <translation>이 컴퓨터에서 %1(으)로 송신할 수 없습니다: %2.</translation>
+        </message>
+        <message>
+            <source>Check the cable and this computer's IPv4 address: it must be in the controller's network.</source>
+            <translation>케이블과 이 컴퓨터의 IPv4 주소를 확인하십시오. 컨트롤러와 같은 네트워크이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>This computer can send to %1.</source>
+            <translation>이 컴퓨터에서 %1(으)로 송신할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Port %1 answers with a status.</source>
+            <translation>포트 %1이(가) 상태를 응답합니다.</translation>
+        </message>
+        <message>
+            <source>Port %1 answers but refuses to tell the status: %2</source>
+            <translation>포트 %1이(가) 응답하지만 상태 읽기를 거부합니다: %2</translation>
+        </message>
+        <message>
+            <source>Check on the pendant that the network function server is enabled for this computer.</source>
+            <translation>펜던트에서 이 컴퓨터에 대해 네트워크 기능 서버가 유효한지 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Answers come from another address than %1; they are ignored.</source>
+            <translation>응답이 %1이(가) 아닌 다른 주소에서 옵니다. 이 응답은 무시합니다.</translation>
+        </message>
+        <message>
+            <source>Look for a second network card or an address translation between this computer and the controller.</source>
+            <translation>이 컴퓨터와 컨트롤러 사이에 두 번째 네트워크 카드 또는 주소 변환이 있는지 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Something answers at port %1, but not with HSES.</source>
+            <translation>포트 %1에서 응답이 있으나 HSES가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Check the address and the port: HSES is UDP %1 on a controller.</source>
+            <translation>주소와 포트를 확인하십시오. 컨트롤러의 HSES는 UDP %1입니다.</translation>
+        </message>
+        <message>
+            <source>The host rejects port %1: %2.</source>
+            <translation>호스트가 포트 %1을(를) 거부합니다: %2.</translation>
+        </message>
+        <message>
+            <source>The host is there, but no HSES server: enable the Ethernet server function on the controller.</source>
+            <translation>호스트는 있으나 HSES 서버가 없습니다. 컨트롤러의 이더넷 서버 기능을 유효로 하십시오.</translation>
+        </message>
+        <message>
+            <source>Port %1 stays silent.</source>
+            <translation>포트 %1이(가) 응답하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Check that the controller is on, that its Ethernet server function is enabled and that no firewall drops UDP %1.</source>
+            <translation>컨트롤러의 전원이 켜져 있는지, 이더넷 서버 기능이 유효한지, 방화벽이 UDP %1을(를) 차단하지 않는지 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The controller runs %1.</source>
+            <translation>컨트롤러의 소프트웨어는 %1입니다.</translation>
+        </message>
+        <message>
+            <source>The controller does not tell its system information: %1</source>
+            <translation>컨트롤러가 시스템 정보를 알려 주지 않습니다: %1</translation>
+        </message>
+        <message>
+            <source>Pendesk monitors only a controller that says what it is. Ask its maker for the HSES option.</source>
+            <translation>Pendesk는 기종을 알려 주는 컨트롤러만 모니터링합니다. HSES 옵션을 제조사에 문의하십시오.</translation>
+        </message>
+        <message>
+            <source>Port %1 stays silent: files are unavailable, monitoring works.</source>
+            <translation>포트 %1이(가) 응답하지 않습니다. 파일은 사용할 수 없으나 모니터링은 가능합니다.</translation>
+        </message>
+        <message>
+            <source>Check that no firewall drops UDP %1.</source>
+            <translation>방화벽이 UDP %1을(를) 차단하지 않는지 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Port %1 answers.</source>
+            <translation>포트 %1이(가) 응답합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>session::FileSession</name>
+        <message>
+            <source>An empty file cannot be sent over HSES.</source>
+            <translation>빈 파일은 HSES로 송신할 수 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings</name>
+        <message>
+            <source>%1 must be a whole number from %2 to %3.</source>
+            <translation>%1은(는) %2부터 %3까지의 정수이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The model “%1” is not known.</source>
+            <translation>기종 “%1”을(를) 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The text encoding “%1” is not known.</source>
+            <translation>문자 코드 “%1”을(를) 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The variable numbering must be 0 or 1.</source>
+            <translation>변수 번호 방식은 0 또는 1이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Pulses per degree must be lists of numbers, one list for each control group.</source>
+            <translation>1도당 펄스 수는 숫자의 리스트이어야 하며, 제어 그룹마다 리스트 하나가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The profile needs a name.</source>
+            <translation>프로파일에 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The profile needs the controller's host name or IPv4 address.</source>
+            <translation>프로파일에 컨트롤러의 호스트 이름 또는 IPv4 주소가 필요합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings::CommandLine</name>
+        <message>
+            <source>--%1 must be a whole number from 1 to 65535.</source>
+            <translation>--%1은(는) 1부터 65535까지의 정수이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>--timeout takes a time such as 300ms or 1s.</source>
+            <translation>--timeout에는 300ms나 1s와 같은 시간을 지정하십시오.</translation>
+        </message>
+        <message>
+            <source>There is no controller stored under the name “%1”.</source>
+            <translation>“%1”이라는 이름으로 저장된 컨트롤러가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Connect to the controller with this name or IPv4 address.</source>
+            <translation>이 이름 또는 IPv4 주소의 컨트롤러에 연결합니다.</translation>
+        </message>
+        <message>
+            <source>Its port for robot control, 10040 unless told otherwise.</source>
+            <translation>로봇 제어용 포트. 지정하지 않으면 10040.</translation>
+        </message>
+        <message>
+            <source>Its port for file control, 10041 unless told otherwise.</source>
+            <translation>파일 제어용 포트. 지정하지 않으면 10041.</translation>
+        </message>
+        <message>
+            <source>Connect to the controller that is stored under this name.</source>
+            <translation>이 이름으로 저장된 컨트롤러에 연결합니다.</translation>
+        </message>
+        <message>
+            <source>How long to wait for one try of a read: 300ms, 1s.</source>
+            <translation>읽기 1회의 대기 시간: 300ms, 1s.</translation>
+        </message>
+        <message>
+            <source>--%1 needs --host or --profile.</source>
+            <translation>--%1에는 --host 또는 --profile이 필요합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>settings::Profile</name>
+        <message>
+            <source>Port</source>
+            <translation>포트</translation>
+        </message>
+        <message>
+            <source>File port</source>
+            <translation>파일 포트</translation>
+        </message>
+        <message>
+            <source>Read time-out</source>
+            <translation>읽기 타임아웃</translation>
+        </message>
+        <message>
+            <source>File time-out</source>
+            <translation>파일 타임아웃</translation>
+        </message>
+        <message>
+            <source>Servo time-out</source>
+            <translation>서보 타임아웃</translation>
+        </message>
+        <message>
+            <source>Repeats of a read</source>
+            <translation>읽기 재시도 횟수</translation>
+        </message>
+        <message>
+            <source>Requests outstanding at once</source>
+            <translation>동시에 응답을 기다리는 요청 수</translation>
+        </message>
+        <message>
+            <source>Requests a second</source>
+            <translation>초당 요청 수</translation>
+        </message>
+    </context>
+    <context>
+        <name>trend</name>
+        <message>
+            <source>Alarm %1 [%2] %3</source>
+            <translation>알람 %1 [%2] %3</translation>
+        </message>
+        <message>
+            <source>Job %1</source>
+            <translation>잡 %1</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>Step mode</source>
+            <translation>스텝 모드</translation>
+        </message>
+        <message>
+            <source>One cycle</source>
+            <translation>1사이클</translation>
+        </message>
+        <message>
+            <source>Continuous</source>
+            <translation>연속</translation>
+        </message>
+        <message>
+            <source>Running</source>
+            <translation>운전 중</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>속도 제한</translation>
+        </message>
+        <message>
+            <source>TEACH</source>
+            <translation>TEACH</translation>
+        </message>
+        <message>
+            <source>PLAY</source>
+            <translation>PLAY</translation>
+        </message>
+        <message>
+            <source>REMOTE</source>
+            <translation>REMOTE</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>펜던트에 의한 홀드 중</translation>
+        </message>
+        <message>
+            <source>Held externally</source>
+            <translation>외부에 의한 홀드 중</translation>
+        </message>
+        <message>
+            <source>Held by command</source>
+            <translation>커맨드에 의한 홀드 중</translation>
+        </message>
+        <message>
+            <source>Alarm active</source>
+            <translation>알람 발생 중</translation>
+        </message>
+        <message>
+            <source>Error active</source>
+            <translation>에러 발생 중</translation>
+        </message>
+        <message>
+            <source>Servo on</source>
+            <translation>서보 ON</translation>
+        </message>
+        <message>
+            <source>Job line</source>
+            <translation>잡 행</translation>
+        </message>
+        <message>
+            <source>Job step</source>
+            <translation>잡 스텝</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>속도 오버라이드</translation>
+        </message>
+        <message>
+            <source>%1, sub task %2</source>
+            <translation>%1, 서브 태스크 %2</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>%1 %2 following error</source>
+            <translation>%1 %2 위치 편차</translation>
+        </message>
+        <message>
+            <source>%1 %2 torque</source>
+            <translation>%1 %2 토크</translation>
+        </message>
+        <message>
+            <source>%1 %2 encoder temperature</source>
+            <translation>%1 %2 엔코더 온도</translation>
+        </message>
+        <message>
+            <source>pulses</source>
+            <translation>펄스</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>%</source>
+            <translation>%</translation>
+        </message>
+        <message>
+            <source>°C</source>
+            <translation>°C</translation>
+        </message>
+        <message>
+            <source>h</source>
+            <translation>h</translation>
+        </message>
+        <message>
+            <source>Converter temperature, board %1</source>
+            <translation>컨버터 온도, 기판 %1</translation>
+        </message>
+        <message>
+            <source>Running time %1</source>
+            <translation>가동 시간 %1</translation>
+        </message>
+        <message>
+            <source>Alarm code %1</source>
+            <translation>알람 코드 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::AccessSwitch</name>
+        <message>
+            <source>Passcode and idle time…</source>
+            <translation>패스코드와 무조작 시간…</translation>
+        </message>
+        <message>
+            <source>Access level: %1</source>
+            <translation>액세스 레벨: %1</translation>
+        </message>
+        <message>
+            <source>This program was started with --monitor-only: it watches and holds.</source>
+            <translation>이 프로그램은 --monitor-only로 시작되었습니다. 모니터링과 홀드만 합니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>What may be done from here. It falls back to Monitor after %n minute(s) without key or mouse.</source>
+            <translation>
+                <numerusform>여기서 할 수 있는 조작의 범위입니다. %n분간 키와 마우스 조작이 없으면 “모니터”로 돌아갑니다.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::ArmBadge</name>
+        <message>
+            <source>This controller is armed: press to disarm.</source>
+            <translation>이 컨트롤러는 동작 허가 중입니다. 누르면 해제합니다.</translation>
+        </message>
+        <message>
+            <source>ARMED · %1 s</source>
+            <translation>동작 허가 중 · %1초</translation>
+        </message>
+        <message numerus="yes">
+            <source>Armed for %n more second(s). Press to disarm.</source>
+            <translation>
+                <numerusform>동작 허가가 %n초 남았습니다. 누르면 해제합니다.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::ControllerView</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>HLOCK is on at %1: the pendant is locked out, but for its emergency stop.</source>
+            <translation>%1의 HLOCK이 ON입니다. 펜던트는 비상 정지를 제외하고 조작할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Release HLOCK</source>
+            <translation>HLOCK 해제</translation>
+        </message>
+        <message numerus="yes">
+            <source>The journal works again. %n record(s) were lost.</source>
+            <translation>
+                <numerusform>조작 이력이 다시 동작합니다. 기록 %n건이 손실되었습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>The journal was damaged. It was kept as %1, and a new one was begun.</source>
+            <translation>조작 이력이 손상되었습니다. %1(으)로 보관하고 새 조작 이력을 시작했습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::MainWindow</name>
+        <message>
+            <source>Level: %1</source>
+            <translation>레벨: %1</translation>
+        </message>
+        <message>
+            <source>HLOCK is on</source>
+            <translation>HLOCK이 ON입니다</translation>
+        </message>
+        <message>
+            <source>HLOCK is still on at %1: the pendant stays locked out after closing.</source>
+            <translation>%1의 HLOCK이 아직 ON입니다. 종료 후에도 펜던트는 조작할 수 없는 상태로 남습니다.</translation>
+        </message>
+        <message>
+            <source>Release HLOCK and close</source>
+            <translation>HLOCK을 해제하고 종료</translation>
+        </message>
+        <message>
+            <source>Close and leave it on</source>
+            <translation>ON인 채로 종료</translation>
+        </message>
+        <message>
+            <source>Pendesk</source>
+            <translation>Pendesk</translation>
+        </message>
+        <message>
+            <source>%1 — Pendesk</source>
+            <translation>%1 — Pendesk</translation>
+        </message>
+        <message>
+            <source>The demo could not be started: %1.</source>
+            <translation>데모를 시작할 수 없었습니다: %1.</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>Pendesk 정보</translation>
+        </message>
+        <message>
+            <source>Pendesk %1
+
+A teach and monitor desk for Yaskawa robot controllers.
+Free software under the GNU General Public License, version 3 or later.
+
+HOLD is a software hold over the network, not a safety function.</source>
+            <translation>Pendesk %1
+
+야스카와 로봇 컨트롤러용 티칭 및 모니터링 데스크입니다.
+GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입니다.
+
+HOLD는 네트워크를 통한 소프트웨어 홀드이며 안전 기능이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>There is no connection.</source>
+            <translation>연결되어 있지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The connection is open.</source>
+            <translation>연결되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>No controller is chosen.</source>
+            <translation>컨트롤러가 선택되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>No controller is chosen: connect first.</source>
+            <translation>컨트롤러가 선택되지 않았습니다. 먼저 연결하십시오.</translation>
+        </message>
+        <message>
+            <source>%1 requests/s</source>
+            <translation>%1 요청/초</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::NavigationRail</name>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>No controller</source>
+            <translation>컨트롤러 없음</translation>
+        </message>
+        <message>
+            <source>CONTROLLERS</source>
+            <translation>컨트롤러</translation>
+        </message>
+        <message>
+            <source>PAGES</source>
+            <translation>페이지</translation>
+        </message>
+        <message>
+            <source>CONNECTION</source>
+            <translation>연결</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>메뉴</translation>
+        </message>
+    </context>
+    <context>
+        <name>ui::RobotStrip</name>
+        <message>
+            <source>SIMULATION</source>
+            <translation>시뮬레이션</translation>
+        </message>
+        <message>
+            <source>HOLD sent…</source>
+            <translation>HOLD 송신됨…</translation>
+        </message>
+        <message>
+            <source>HOLD confirmed</source>
+            <translation>HOLD 확인됨</translation>
+        </message>
+        <message>
+            <source>HOLD refused</source>
+            <translation>HOLD 거부됨</translation>
+        </message>
+        <message>
+            <source>not confirmed</source>
+            <translation>확인되지 않음</translation>
+        </message>
+        <message>
+            <source>software hold · Pause key</source>
+            <translation>소프트웨어 홀드 · Pause 키</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>통신</translation>
+        </message>
+        <message>
+            <source>No controller</source>
+            <translation>컨트롤러 없음</translation>
+        </message>
+        <message>
+            <source>Executing</source>
+            <translation>실행 중</translation>
+        </message>
+        <message>
+            <source>Link · %1 ago</source>
+            <translation>통신 · %1 전</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>LOST</source>
+            <translation>끊김</translation>
+        </message>
+        <message>
+            <source>no answer</source>
+            <translation>응답 없음</translation>
+        </message>
+        <message>
+            <source>checking…</source>
+            <translation>확인 중…</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>연결 안 됨</translation>
+        </message>
+    </context>
+    <context>
+        <name>values</name>
+        <message>
+            <source>none</source>
+            <translation>없음</translation>
+        </message>
+        <message>
+            <source>number</source>
+            <translation>숫자</translation>
+        </message>
+        <message>
+            <source>8 bits</source>
+            <translation>8비트</translation>
+        </message>
+        <message>
+            <source>axes</source>
+            <translation>축</translation>
+        </message>
+        <message>
+            <source>conveyor files</source>
+            <translation>컨베이어 파일</translation>
+        </message>
+        <message>
+            <source>robots and stations</source>
+            <translation>로봇과 스테이션</translation>
+        </message>
+        <message>
+            <source>signed number</source>
+            <translation>부호 있는 수</translation>
+        </message>
+        <message>
+            <source>16 bits</source>
+            <translation>16비트</translation>
+        </message>
+        <message>
+            <source>robots</source>
+            <translation>로봇</translation>
+        </message>
+        <message>
+            <source>robots, stations and bases</source>
+            <translation>로봇, 스테이션, 베이스</translation>
+        </message>
+        <message>
+            <source>control group, low and high axes</source>
+            <translation>제어 그룹, 하위 축과 상위 축</translation>
+        </message>
+        <message>
+            <source>control group, minimum and maximum axes</source>
+            <translation>제어 그룹, 축의 최소와 최대</translation>
+        </message>
+        <message>
+            <source>control group, minimum and maximum X Y Z</source>
+            <translation>제어 그룹, X Y Z의 최소와 최대</translation>
+        </message>
+        <message>
+            <source>axes of two control groups</source>
+            <translation>제어 그룹 2개의 축</translation>
+        </message>
+        <message>
+            <source>two sets of axes of a control group</source>
+            <translation>제어 그룹 1개의 축 2조</translation>
+        </message>
+        <message>
+            <source>axes of a control group and a number</source>
+            <translation>제어 그룹의 축과 숫자</translation>
+        </message>
+        <message>
+            <source>control group and a number</source>
+            <translation>제어 그룹과 숫자</translation>
+        </message>
+        <message>
+            <source>unknown type %1</source>
+            <translation>알 수 없는 타입 %1</translation>
+        </message>
+        <message>
+            <source>front</source>
+            <translation>정면</translation>
+        </message>
+        <message>
+            <source>back</source>
+            <translation>후면</translation>
+        </message>
+        <message>
+            <source>upper arm</source>
+            <translation>상방 암</translation>
+        </message>
+        <message>
+            <source>lower arm</source>
+            <translation>하방 암</translation>
+        </message>
+        <message>
+            <source>flip</source>
+            <translation>플립</translation>
+        </message>
+        <message>
+            <source>no flip</source>
+            <translation>논플립</translation>
+        </message>
+        <message>
+            <source>R &lt; 180</source>
+            <translation>R &lt; 180</translation>
+        </message>
+        <message>
+            <source>R &gt;= 180</source>
+            <translation>R &gt;= 180</translation>
+        </message>
+        <message>
+            <source>T &lt; 180</source>
+            <translation>T &lt; 180</translation>
+        </message>
+        <message>
+            <source>T &gt;= 180</source>
+            <translation>T &gt;= 180</translation>
+        </message>
+        <message>
+            <source>S &lt; 180</source>
+            <translation>S &lt; 180</translation>
+        </message>
+        <message>
+            <source>S &gt;= 180</source>
+            <translation>S &gt;= 180</translation>
+        </message>
+        <message>
+            <source>redundant front</source>
+            <translation>용장 정면</translation>
+        </message>
+        <message>
+            <source>redundant back</source>
+            <translation>용장 후면</translation>
+        </message>
+        <message>
+            <source>previous step's form</source>
+            <translation>이전 스텝의 형태</translation>
+        </message>
+        <message>
+            <source>this form</source>
+            <translation>이 형태</translation>
+        </message>
+        <message>
+            <source>L &lt; 180</source>
+            <translation>L &lt; 180</translation>
+        </message>
+        <message>
+            <source>L &gt;= 180</source>
+            <translation>L &gt;= 180</translation>
+        </message>
+        <message>
+            <source>U &lt; 180</source>
+            <translation>U &lt; 180</translation>
+        </message>
+        <message>
+            <source>U &gt;= 180</source>
+            <translation>U &gt;= 180</translation>
+        </message>
+        <message>
+            <source>B &lt; 180</source>
+            <translation>B &lt; 180</translation>
+        </message>
+        <message>
+            <source>B &gt;= 180</source>
+            <translation>B &gt;= 180</translation>
+        </message>
+        <message>
+            <source>E &lt; 180</source>
+            <translation>E &lt; 180</translation>
+        </message>
+        <message>
+            <source>E &gt;= 180</source>
+            <translation>E &gt;= 180</translation>
+        </message>
+        <message>
+            <source>W &lt; 180</source>
+            <translation>W &lt; 180</translation>
+        </message>
+        <message>
+            <source>W &gt;= 180</source>
+            <translation>W &gt;= 180</translation>
+        </message>
+        <message>
+            <source>pulse</source>
+            <translation>펄스</translation>
+        </message>
+        <message>
+            <source>base frame</source>
+            <translation>베이스 좌표</translation>
+        </message>
+        <message>
+            <source>robot frame</source>
+            <translation>로봇 좌표</translation>
+        </message>
+        <message>
+            <source>user frame</source>
+            <translation>유저 좌표</translation>
+        </message>
+        <message>
+            <source>tool frame</source>
+            <translation>툴 좌표</translation>
+        </message>
+        <message>
+            <source>group %1</source>
+            <translation>그룹 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>variables::Sentences</name>
+        <message>
+            <source>Line %1: a cell begins with a quotation mark and does not end with one.</source>
+            <translation>행 %1: 셀이 따옴표로 시작하지만 따옴표로 끝나지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Line %1: there is text behind the quotation mark that ends a cell.</source>
+            <translation>행 %1: 셀을 닫는 따옴표 뒤에 문자가 있습니다.</translation>
+        </message>
+        <message>
+            <source>The file is not UTF-8: save it as “CSV UTF-8” and try again.</source>
+            <translation>파일이 UTF-8이 아닙니다. “CSV UTF-8”로 저장한 후 다시 시도하십시오.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>“%1”은(는) 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range: it must be from %2 to %3.</source>
+            <translation>%1은(는) 범위를 벗어났습니다. %2부터 %3까지이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a whole number: write it without decimals and separators.</source>
+            <translation>“%1”은(는) 정수가 아닙니다. 소수점과 구분 기호 없이 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>%1 does not go into a real: that is 0, or from ±1.18e-38 to ±3.40e+38.</source>
+            <translation>%1은(는) 실수형에 들어가지 않습니다. 0 또는 ±1.18e-38부터 ±3.40e+38까지 가능합니다.</translation>
+        </message>
+        <message>
+            <source>not a number</source>
+            <translation>숫자가 아님</translation>
+        </message>
+        <message>
+            <source>“%1” is not a whole number.</source>
+            <translation>“%1”은(는) 정수가 아닙니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>“%1” is too fine: %n decimal(s) are kept.</source>
+            <translation>
+                <numerusform>“%1”은(는) 너무 세밀합니다. 소수는 %n자리까지 유지됩니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>“%1” is not a variable. Write its letter and its number, such as B007.</source>
+            <translation>“%1”은(는) 변수가 아닙니다. B007과 같이 문자와 번호로 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>There is no %1: this controller has %2 to %3.</source>
+            <translation>%1은(는) 없습니다. 이 컨트롤러에는 %2부터 %3까지 있습니다.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a range: it must go from a lower to a higher number of one kind.</source>
+            <translation>“%1”은(는) 범위가 아닙니다. 같은 종류의 작은 번호에서 큰 번호까지이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a type that %2 has.</source>
+            <translation>“%1”은(는) %2에 없는 타입입니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>column: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1 is missing, and no value of this type was read.</source>
+            <translation>%1이(가) 없고, 이 타입의 값도 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The type is missing, and none was read.</source>
+            <translation>타입이 없고, 읽은 타입도 없습니다.</translation>
+        </message>
+        <message>
+            <source>The variable is missing.</source>
+            <translation>변수가 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 can only be read.</source>
+            <translation>%1은(는) 읽기만 가능합니다.</translation>
+        </message>
+        <message>
+            <source>%1 stands in line %2 already.</source>
+            <translation>%1은(는) 이미 행 %2에 있습니다.</translation>
+        </message>
+        <message>
+            <source>The value is missing.</source>
+            <translation>값이 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>The column “%1” stands there twice.</source>
+            <translation>열 “%1”이(가) 2개 있습니다.</translation>
+        </message>
+        <message>
+            <source>The header is missing: the first line must name the columns “variable” and “value”.</source>
+            <translation>헤더가 없습니다. 첫 행에 열 이름 “variable”과 “value”가 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>There is neither a column “value” nor “axis 1”.</source>
+            <translation>열 “value”도 “axis 1”도 없습니다.</translation>
+        </message>
+        <message>
+            <source>The line has more cells than the header.</source>
+            <translation>이 행의 셀이 헤더보다 많습니다.</translation>
+        </message>
+        <message>
+            <source>A block without a header has one or two columns.</source>
+            <translation>헤더가 없는 블록은 1열 또는 2열입니다.</translation>
+        </message>
+        <message>
+            <source>The text cannot be sent: %1.</source>
+            <translation>이 텍스트는 송신할 수 없습니다: %1.</translation>
+        </message>
+        <message>
+            <source>The text must not hold the character NUL, which ends it.</source>
+            <translation>텍스트에 끝을 나타내는 NUL 문자를 포함할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The text takes %1 bytes; there is room for %2.</source>
+            <translation>텍스트는 %1바이트이나 %2바이트까지만 들어갑니다.</translation>
+        </message>
+        <message>
+            <source>A position is not written as one text.</source>
+            <translation>위치는 하나의 텍스트로 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>a real number</source>
+            <translation>실수</translation>
+        </message>
+        <message numerus="yes">
+            <source>up to %n byte(s)</source>
+            <translation>
+                <numerusform>최대 %n바이트</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>pulse</source>
+            <translation>펄스</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ArmControl</name>
+        <message>
+            <source>Hold for 1 s to arm</source>
+            <translation>1초간 눌러 동작 허가</translation>
+        </message>
+        <message>
+            <source>Why not?</source>
+            <translation>불가한 이유는?</translation>
+        </message>
+        <message>
+            <source>Disarm</source>
+            <translation>동작 허가 해제</translation>
+        </message>
+        <message>
+            <source>Nobody is inside the fence</source>
+            <translation>안전 펜스 안에 아무도 없습니다</translation>
+        </message>
+        <message>
+            <source>I see the robot, or somebody who does</source>
+            <translation>본인 또는 감시자가 로봇을 보고 있습니다</translation>
+        </message>
+        <message>
+            <source>An emergency stop is within reach there</source>
+            <translation>현장에서 비상 정지에 손이 닿습니다</translation>
+        </message>
+        <message>
+            <source>Armed: start, servo on and moves are possible. It drops after a minute without key or mouse.</source>
+            <translation>동작 허가 중: 기동, 서보 ON, 이동이 가능합니다. 1분간 키와 마우스 조작이 없으면 해제됩니다.</translation>
+        </message>
+        <message>
+            <source>Disarmed at %1: %2.</source>
+            <translation>%1에 동작 허가 해제됨: %2.</translation>
+        </message>
+        <message>
+            <source>Tick all three first.</source>
+            <translation>먼저 3개 모두 체크하십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::CellEditor</name>
+        <message>
+            <source>live: %1</source>
+            <translation>실시간: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ConditionList</name>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ControllerTile</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::DiffView</name>
+        <message>
+            <source>Lines of both versions</source>
+            <translation>두 버전의 행</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>행</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation>이전 버전</translation>
+        </message>
+        <message>
+            <source>Newer</source>
+            <translation>새 버전</translation>
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>외 %n건</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::HoldButton</name>
+        <message>
+            <source>HOLD</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (소프트웨어)</translation>
+        </message>
+        <message>
+            <source>software hold · Pause key</source>
+            <translation>소프트웨어 홀드 · Pause 키</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::JobView</name>
+        <message>
+            <source>Job text</source>
+            <translation>잡 내용</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::JogPad</name>
+        <message>
+            <source>Jog %1 forward</source>
+            <translation>%1 정방향 조그</translation>
+        </message>
+        <message>
+            <source>Jog %1 back</source>
+            <translation>%1 역방향 조그</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::LogicStrip</name>
+        <message>
+            <source>The watched signals over the last minute</source>
+            <translation>최근 1분간의 워치 중인 신호</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>현재</translation>
+        </message>
+        <message>
+            <source>−%1 s</source>
+            <translation>−%1초</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::OrderButton</name>
+        <message>
+            <source>%1: pending…</source>
+            <translation>%1: 처리 중…</translation>
+        </message>
+        <message>
+            <source>Why not?</source>
+            <translation>불가한 이유는?</translation>
+        </message>
+        <message>
+            <source>Conditions</source>
+            <translation>조건</translation>
+        </message>
+        <message>
+            <source>Conditions of: %1</source>
+            <translation>%1의 조건</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Plot</name>
+        <message>
+            <source>seconds</source>
+            <translation>초</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Plot</source>
+            <translation>플롯</translation>
+        </message>
+        <message>
+            <source>Nothing is plotted.</source>
+            <translation>플롯이 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Plottables</name>
+        <message>
+            <source>Add to trend: %1</source>
+            <translation>트렌드에 추가: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Rows</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Segments</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>what is chosen: the choice</comment>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::Sparkline</name>
+        <message>
+            <source>Round trips of the last 60 seconds: none yet.</source>
+            <translation>최근 60초의 왕복 시간: 아직 없습니다.</translation>
+        </message>
+        <message>
+            <source>Round trips of the last 60 seconds: longest %1 ms, lost tries in %2 s.</source>
+            <translation>최근 60초의 왕복 시간: 최장 %1 ms, %2초에 손실 있음.</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ToolPathView</name>
+        <message>
+            <source>Top</source>
+            <translation>윗면</translation>
+        </message>
+        <message>
+            <source>Front</source>
+            <translation>정면</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>측면</translation>
+        </message>
+        <message>
+            <source>Tool path, %1 view</source>
+            <translation>툴 궤적, %1 보기</translation>
+        </message>
+        <message>
+            <source>No position in the base frame was read yet.</source>
+            <translation>아직 베이스 좌표의 위치를 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>%1 %2 mm, %3 %4 mm. %5</source>
+            <translation>%1 %2 mm, %3 %4 mm. %5</translation>
+        </message>
+        <message>
+            <source>%1  ·  %2 →  %3 ↑</source>
+            <translation>%1  ·  %2 →  %3 ↑</translation>
+        </message>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 mm</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ValueGrid</name>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::ValueLabel</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+    </context>
+</TS>
