@@ -52,7 +52,7 @@ private Q_SLOTS:
             if (xml.name() == u"source") {
                 source = xml.readElementText();
             } else if (xml.name() == u"translation") {
-                QVERIFY2(!xml.attributes().hasAttribute(u"type"), qPrintable(source));
+                QVERIFY2(!xml.attributes().hasAttribute(QLatin1String("type")), qPrintable(source));
                 const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
                 QVERIFY2(!text.trimmed().isEmpty() || source.trimmed().isEmpty(), qPrintable(source));
                 for (const QString &placeholder : {QStringLiteral("%1"), QStringLiteral("%2"), QStringLiteral("%3")})
