@@ -22,6 +22,7 @@ using virtualcontroller::Faults;
 namespace {
 
 constexpr quint16 moveCartesian = 0x8A;
+const AxisWords home {1'085'000, 0, 620'000, 1'800'000, 0, 0};
 
 /// The page in view, servo on, nothing running; buttons are pressed as the window system does it.
 struct Desk : JobsHarness {
@@ -30,12 +31,19 @@ struct Desk : JobsHarness {
         if (!connectLive())
             return false;
         virtualcontroller::stopRunning(server->memory());
+        server->memory().groups[0].pose = home;
         rest();
         access.enter(level);
         click("motionEntry");
         window.activateWindow();
         return QTest::qWaitFor([this] { return window.isActiveWindow() && !running() && orders().situation().status; })
-            && QTest::qWaitFor([this] { return !find<QLineEdit>("moveTarget1")->text().isEmpty(); });
+            && QTest::qWaitFor([this] { return text("moveNow1") == u"1085.000" && text("moveNow6") == u"0.0000"; })
+            && takePresent();
+    }
+    [[nodiscard]] bool takePresent() const
+    {
+        find<QPushButton>("moveTakePresent")->click();
+        return QTest::qWaitFor([this] { return find<QLineEdit>("moveTarget1")->text() == u"1085.000"; });
     }
     [[nodiscard]] bool openArmed() { return openMotion() && arm() && enabled("jogPlus1"); }
     [[nodiscard]] bool enabled(const char *name) const
