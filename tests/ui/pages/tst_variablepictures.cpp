@@ -74,6 +74,7 @@ void TestVariablePictures::positions()
     QVERIFY(QTest::qWaitForWindowActive(dialog));
     auto *axis = dialog->findChild<QLineEdit *>(QStringLiteral("axis1"));
     axis->setFocus();
+    QVERIFY(axis->hasFocus());
     axis->setText(QStringLiteral("812,5"));
     room.picture(QStringLiteral("variables-position-dialog"), dialog);
     QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("stageButton")), Qt::LeftButton);
