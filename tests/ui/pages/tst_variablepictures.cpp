@@ -71,7 +71,8 @@ void TestVariablePictures::positions()
     QTest::keyClick(room.table(), Qt::Key_Return);
     QDialog *dialog = room.dialog("positionDialog");
     QVERIFY(dialog);
-    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    dialog->activateWindow();
+    QTRY_VERIFY(dialog->isActiveWindow());
     auto *axis = dialog->findChild<QLineEdit *>(QStringLiteral("axis1"));
     axis->setFocus();
     QVERIFY(axis->hasFocus());
