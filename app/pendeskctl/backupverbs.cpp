@@ -20,12 +20,6 @@ namespace pendeskctl {
 
 namespace {
 
-int mistake(const QString &sentence)
-{
-    complain(sentence);
-    return Usage;
-}
-
 QCommandLineOption number(const char *name, const QString &text)
 {
     return {QString::fromLatin1(name), text, QStringLiteral("N"), QStringLiteral("0")};

@@ -24,12 +24,6 @@ namespace pendeskctl {
 
 namespace {
 
-int mistake(const QString &sentence)
-{
-    complain(sentence);
-    return Usage;
-}
-
 /// The names among `results` that match `pattern` ("*.JBI", "WELD*").
 QStringList matching(const QList<files::FileResult> &results, const QString &pattern, const Desk &desk)
 {

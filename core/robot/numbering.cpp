@@ -38,6 +38,14 @@ QList<int> tellingNumbers(const QList<ByteVariable> &instances, int firstInstanc
     return numbers;
 }
 
+bool isNumberingKnown(const settings::Profile &profile, const std::optional<values::SystemInformation> &system)
+{
+    if (profile.isSimulation)
+        return true;
+    return system && profile.numberingVerified.isValid()
+        && QString::fromLatin1(system->software.bytes()) == profile.numberingSoftware;
+}
+
 NumberingGuard::NumberingGuard(Orders &orders, QObject *parent) : QObject {parent}, m_orders {orders}
 {
     connect(&orders.controller().state(), &RobotState::changed, this, [this](const TopicRange &range) {
@@ -49,11 +57,8 @@ NumberingGuard::NumberingGuard(Orders &orders, QObject *parent) : QObject {paren
 
 void NumberingGuard::update()
 {
-    const settings::Profile &profile = m_orders.controller().profile();
-    const auto &system = m_orders.controller().state().systemInformation();
-    const bool isSame = system.value && QString::fromLatin1(system.value->software.bytes()) == profile.numberingSoftware
-        && profile.numberingVerified.isValid();
-    m_orders.setNumberingVerified(profile.isSimulation || isSame);
+    const Controller &controller = m_orders.controller();
+    m_orders.setNumberingVerified(isNumberingKnown(controller.profile(), controller.state().systemInformation().value));
 }
 
 } // namespace robot

@@ -28,8 +28,12 @@ enum class NumberingVerdict {
 /// Numbers of B variables that tell the two numberings apart: their value and the next one differ. At most `most`.
 [[nodiscard]] QList<int> tellingNumbers(const QList<values::ByteVariable> &instances, int firstInstance, int most);
 
-/// Lets variables be written only while the numbering is known: a simulation's is; a real controller's was compared
-/// with its pendant, and its software is still the same.
+/// The numbering of the profile is known: a simulation's is; a real controller's was compared with its pendant, and its
+/// software is still the same.
+[[nodiscard]] bool isNumberingKnown(
+    const settings::Profile &profile, const std::optional<values::SystemInformation> &system);
+
+/// Lets variables be written only while the numbering is known.
 class NumberingGuard : public QObject
 {
     Q_OBJECT

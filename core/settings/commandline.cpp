@@ -91,6 +91,7 @@ Result<std::optional<Profile>> namedController(const QCommandLineParser &parser,
     auto profile = storedOrNew(parser, store);
     if (!profile)
         return tl::unexpected(profile.error());
+    const Profile stored = *profile;
     if (parser.isSet(QStringLiteral("host")))
         profile->host = parser.value(QStringLiteral("host"));
     if (profile->name.isEmpty())
@@ -100,6 +101,8 @@ Result<std::optional<Profile>> namedController(const QCommandLineParser &parser,
                           .and_then([&] { return readTimeout(parser, profile->readTimeout); });
     if (!read)
         return tl::unexpected(read.error());
+    if (profile->host != stored.host || profile->port != stored.port)
+        profile->numberingVerified = {}; // perhaps another controller
     if (const QString wrong = complaint(*profile); !wrong.isEmpty())
         return mistake(wrong);
     return *profile;

@@ -65,18 +65,21 @@ struct Room {
         return nullptr;
     }
     void click(const char *name) const { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
-    /// Of the window, or of a dialog.
+    /// Of the window, or of a dialog, in both looks. It begins with the present one and stays in the other: a change of
+    /// the look takes a second, in which nothing is read.
     void picture(const QString &name, QWidget *what = nullptr)
     {
-        for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
-            ui::apply(*qApp, scheme);
-            QCoreApplication::sendPostedEvents();
+        const auto take = [&](ui::Scheme scheme) {
             const QString mode = scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
-            QVERIFY((what ? what : &harness.window)
-                        ->grab()
-                        .save(QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, mode)));
-        }
-        ui::apply(*qApp, ui::Scheme::Light);
+            const QString path = QStringLiteral("%1/%2-%3.png").arg(QStringLiteral(PENDESK_PICTURES), name, mode);
+            QVERIFY((what ? what : &harness.window)->grab().save(path));
+        };
+        const ui::Scheme present = ui::schemeOf(QApplication::palette());
+        const ui::Scheme other = present == ui::Scheme::Light ? ui::Scheme::Dark : ui::Scheme::Light;
+        take(present);
+        ui::apply(*qApp, other);
+        QCoreApplication::sendPostedEvents();
+        take(other);
     }
     [[nodiscard]] virtualcontroller::Memory &memory() const { return harness.server->memory(); }
 

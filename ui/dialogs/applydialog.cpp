@@ -44,7 +44,7 @@ ApplyDialog::ApplyDialog(
     const auto list = edits.staged().toApply();
     const bool hasPositions =
         std::ranges::any_of(list, [](const variables::Edit &edit) { return isPosition(edit.variable.kind); });
-    resize(hasPositions ? 1160 : 560, 420);
+    resize(hasPositions ? 1230 : 560, 420);
     auto *table = new widgets::Table;
     table->setObjectName(QStringLiteral("applyTable"));
     table->setAccessibleName(tr("What will be written"));

@@ -42,6 +42,12 @@ IoWriteDialog::IoWriteDialog(robot::Orders &orders, const names::Signal &signal,
     setObjectName(QStringLiteral("ioWriteDialog"));
     const QString controller = orders.controller().profile().name;
     setWindowTitle(tr("Write %1 — %2").arg(toString(signal), controller));
+    for (QLabel *label : {m_before, m_after}) { // nothing is read yet: room for all eight
+        const auto room = [label](quint8 group) {
+            return label->fontMetrics().horizontalAdvance(bits(values::IoGroup {group}));
+        };
+        label->setMinimumWidth(std::max(room(0), room(0xFF)));
+    }
     m_before->setObjectName(QStringLiteral("before"));
     m_after->setObjectName(QStringLiteral("after"));
     m_sentence->setObjectName(QStringLiteral("sentence"));

@@ -22,6 +22,12 @@ bool isRefusedHere(const robot::VariableReading &reading, const Reference &varia
     return isPosition(variable.kind) && reading.freshness == Freshness::Refused && reading.refusal;
 }
 
+bool isEmptyText(const variables::Value &value)
+{
+    const auto *string = std::get_if<values::StringVariable32>(&value);
+    return string && string->value.bytes().isEmpty();
+}
+
 } // namespace
 
 VariableModel::VariableModel(const VariableDesk &desk, QList<Reference> variables, QObject *parent)
@@ -115,8 +121,7 @@ QString VariableModel::text(const std::optional<variables::Value> &value) const
 {
     if (!value)
         return widgets::dash();
-    const QString words = toText(*value, m_desk.format);
-    return words.isEmpty() ? tr("(empty)") : words;
+    return isEmptyText(*value) ? tr("(empty)") : toText(*value, m_desk.format);
 }
 
 VariableModel::Cell VariableModel::cell(const QModelIndex &index) const
@@ -151,7 +156,7 @@ VariableModel::Cell VariableModel::valueCell(const Reference &variable) const
         return editCell(*edit);
     const auto reading = readingOf(m_desk.state, variable);
     if (reading.freshness == Freshness::Live && reading.value)
-        return {text(reading.value)};
+        return {text(reading.value), isEmptyText(*reading.value) ? int(ui::Role::Text2) : -1};
     if (isRefusedHere(reading, variable))
         return {protocol::explain(*reading.refusal), int(ui::Role::Text2)};
     const bool isStale = reading.freshness == Freshness::Stale && reading.value;
@@ -265,7 +270,7 @@ QVariant VariableModel::data(const QModelIndex &index, int role) const
     case widgets::InkRole: return orNothing(cell(index).ink);
     case widgets::GroundRole: return orNothing(cell(index).ground);
     case widgets::HatchedRole: return cell(index).isHatched;
-    case widgets::BoldRole: return index.column() == Value;
+    case widgets::BoldRole: return index.column() == Value && cell(index).ink != int(ui::Role::Text2);
     default: return {};
     }
 }

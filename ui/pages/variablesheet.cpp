@@ -22,6 +22,8 @@ using variables::Reference;
 
 namespace {
 
+constexpr int noteDrop = 5; ///< The words of the note stand beside those of the buttons.
+
 QPushButton *button(const char *name, const QString &words)
 {
     auto *result = new QPushButton(words);
@@ -51,8 +53,9 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
                            const QModelIndex &index, const QString &typed) { return m_model->complaint(index, typed); };
     m_table->setObjectName(QStringLiteral("variableTable"));
     m_table->setAccessibleName(act == robot::Act::WriteRegister ? tr("Registers") : tr("Variables"));
-    m_table->setItemDelegate(new widgets::ValueDelegate({VariableModel::Value, VariableModel::Note},
-        {VariableModel::LiveTextRole, VariableModel::RangeTextRole}, check, this));
+    auto *delegate = new widgets::ValueDelegate({VariableModel::Value, VariableModel::Note},
+        {VariableModel::LiveTextRole, VariableModel::RangeTextRole}, check, this);
+    m_table->setItemDelegate(delegate);
     m_table->setEditingHeight(VariableModel::Value, widgets::ValueDelegate::editingHeight);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(
@@ -70,6 +73,10 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
     column->addWidget(m_table, 1);
     column->addLayout(m_foot);
     connect(m_table, &widgets::Table::rowsInViewChanged, this, &VariableSheet::topicsChanged);
+    connect(delegate, &widgets::ValueDelegate::dropped, this, [this](const QModelIndex &index, const QString &typed) {
+        const QString name = toString(m_model->at(index.row()));
+        say(tr("%1 stays as it is: %2", "variable: reason").arg(name, m_model->complaint(index, typed)));
+    });
     connect(m_table, &QTableView::doubleClicked, this, &VariableSheet::openEditor);
     connect(m_transfer, &VariableTransfer::topicsChanged, this, &VariableSheet::topicsChanged);
     connect(m_transfer, &VariableTransfer::said, this, &VariableSheet::say);
@@ -105,7 +112,8 @@ void VariableSheet::makeFoot(const Context &, robot::Act)
     for (QWidget *widget :
         {static_cast<QWidget *>(m_apply), static_cast<QWidget *>(m_discard), static_cast<QWidget *>(m_undo)})
         m_foot->addWidget(widget, 0, Qt::AlignTop);
-    m_foot->addWidget(m_note, 1);
+    m_note->setContentsMargins(0, noteDrop, 0, 0);
+    m_foot->addWidget(m_note, 1, Qt::AlignTop);
     m_foot->addWidget(importButton, 0, Qt::AlignTop);
     m_foot->addWidget(exportButton, 0, Qt::AlignTop);
     connect(m_apply, &widgets::OrderButton::clicked, this, &VariableSheet::openApply);

@@ -66,6 +66,12 @@ void CellEditor::place(const QRect &field, const QRect &live, const QRect &hint)
     }
 }
 
+void CellEditor::leave()
+{
+    if (!hasAcceptableInput())
+        Q_EMIT dropped(text());
+}
+
 void CellEditor::judge()
 {
     const QString complaint = m_check(text());
@@ -89,10 +95,14 @@ QWidget *ValueDelegate::createEditor(
         field->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
         return field;
     }
-    const auto check = [this, at = QPersistentModelIndex(index)](
-                           const QString &typed) { return at.isValid() ? m_check(at, typed) : QString(); };
+    const QPersistentModelIndex at(index);
+    const auto check = [this, at](const QString &typed) { return at.isValid() ? m_check(at, typed) : QString(); };
     auto *editor =
         new CellEditor(index.data(Qt::EditRole).toString(), index.data(m_roles.hint).toString(), check, parent);
+    connect(editor, &CellEditor::dropped, this, [this, at](const QString &typed) {
+        if (at.isValid())
+            Q_EMIT dropped(at, typed);
+    });
     editor->setFont(option.font);
     editor->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
     return editor;
@@ -117,7 +127,10 @@ bool ValueDelegate::eventFilter(QObject *editor, QEvent *event)
     const bool isLeaving = event->type() == QEvent::FocusOut;
     if (isLeaving && static_cast<QFocusEvent *>(event)->reason() == Qt::ActiveWindowFocusReason)
         return false;
-    return TableDelegate::eventFilter(editor, event);
+    const bool isHandled = TableDelegate::eventFilter(editor, event);
+    if (auto *cell = qobject_cast<CellEditor *>(editor); cell && isLeaving && cell->isHidden())
+        cell->leave();
+    return isHandled;
 }
 
 void ValueDelegate::updateEditorGeometry(

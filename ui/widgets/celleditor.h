@@ -26,6 +26,11 @@ public:
     void showLive(const QString &text);
     /// Where the field and the two labels stand.
     void place(const QRect &field, const QRect &live, const QRect &hint);
+    /// The field was left: a text that is no value goes, and that is told.
+    void leave();
+
+Q_SIGNALS:
+    void dropped(const QString &typed);
 
 private:
     void judge();
@@ -40,6 +45,10 @@ private:
 class ValueDelegate : public TableDelegate
 {
     Q_OBJECT
+
+Q_SIGNALS:
+    /// An editor was left with a text that is no value.
+    void dropped(const QModelIndex &index, const QString &typed) const;
 
 public:
     struct Columns {

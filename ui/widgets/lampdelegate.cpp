@@ -36,7 +36,7 @@ void paintSignal(QPainter &painter, const QRect &square, const models::Lamp &lam
     painter.setBrush(isFilled ? QBrush(fill) : Qt::NoBrush);
     painter.drawRect(square.adjusted(1, 1, -2, -2));
     painter.restore();
-    painter.setPen(ui::color(isFilled ? ui::Role::Card : isKnown ? ui::Role::Text1 : ui::Role::Text3, scheme));
+    painter.setPen(ui::color(isFilled ? ui::Role::Card : nameRole(lamp), scheme));
     const QString digit = !isKnown ? QStringLiteral("–") : lamp.isOn ? QStringLiteral("1") : QStringLiteral("0");
     painter.drawText(square, Qt::AlignCenter | Qt::TextSingleLine, digit);
 }

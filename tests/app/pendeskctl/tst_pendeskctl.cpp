@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "settings/profilestore.h"
 #include "virtualcontroller/server.h"
 
 #include <QDir>
@@ -7,6 +8,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -25,11 +27,12 @@ struct Ended {
 class Terminal
 {
 public:
-    Terminal()
+    explicit Terminal(protocol::Numbering numbering = protocol::Numbering::FromZero)
     {
         virtualcontroller::Options options;
         options.port = 0;
         options.filePort = 0;
+        options.settings.numbering = numbering;
         server = std::make_unique<Server>(options);
         isStarted = server->start().has_value();
     }
@@ -43,11 +46,25 @@ public:
                       << QString::number(server->port()) << QStringLiteral("--file-port")
                       << QString::number(server->filePort());
         QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.path());
+        process.setProcessEnvironment(environment);
         QSignalSpy finished {&process, &QProcess::finished};
         process.start(QStringLiteral(PENDESK_BIN "/pendeskctl"), arguments);
         if (!finished.wait(30000))
             return {};
         return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    }
+
+    /// Stores the controller under the name "cell", as the window would.
+    void keep(settings::Profile profile) const
+    {
+        QSettings file {folder.filePath(QStringLiteral("pendesk/pendesk.conf")), QSettings::IniFormat};
+        profile.name = QStringLiteral("cell");
+        profile.host = QStringLiteral("127.0.0.1");
+        profile.port = server->port();
+        profile.filePort = server->filePort();
+        settings::ProfileStore {file}.save(profile);
     }
 
     QString bag()
@@ -77,6 +94,8 @@ private Q_SLOTS:
     void needsNoWidgets();
     void readsInTheFewestPackets();
     void writesOnlyWhenTold();
+    void writesWithAVerifiedProfile_data();
+    void writesWithAVerifiedProfile();
     void transfersFiles();
     void backsUpAndRestores();
     void watches();
@@ -181,6 +200,41 @@ void TestPendeskctl::writesOnlyWhenTold()
     QCOMPARE(memory.io[2701], quint8(4));
     QCOMPARE(terminal.run(QStringLiteral("registers set 5 1")).code, 2);
     QCOMPARE(memory.registers[5].value, quint16(123));
+}
+
+void TestPendeskctl::writesWithAVerifiedProfile_data()
+{
+    QTest::addColumn<QString>("software"); // that it was verified with; empty: never
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<int>("code");
+    const auto row = [](const char *name, const char *software, const char *options, int code) {
+        QTest::newRow(name) << QString::fromLatin1(software) << QString::fromLatin1(options) << code;
+    };
+    row("never", "", "", 2);
+    row("verified", "PENDESK VIRTUAL 1.00-00", "", 0);
+    row("with other software", "PENDESK VIRTUAL 0.99-00", "", 4);
+    row("told", "", "--numbering 1", 0);
+    row("told after other software", "PENDESK VIRTUAL 0.99-00", "--numbering 1", 0);
+    row("at another address", "PENDESK VIRTUAL 1.00-00", "--host localhost", 2);
+}
+
+/// A controller whose B000 is instance 1: a wrong numbering would write the neighbour.
+void TestPendeskctl::writesWithAVerifiedProfile()
+{
+    QFETCH(QString, software);
+    QFETCH(QString, options);
+    QFETCH(int, code);
+    Terminal terminal {protocol::Numbering::FromOne};
+    settings::Profile profile;
+    profile.numbering = protocol::Numbering::FromOne;
+    profile.numberingSoftware = software;
+    if (!software.isEmpty())
+        profile.numberingVerified = QDateTime::currentDateTimeUtc();
+    terminal.keep(profile);
+    const Ended ended = terminal.run(QStringLiteral("var set B005 77 --yes --profile cell ") + options, false);
+    QVERIFY2(ended.code == code, ended.out + ended.err);
+    QCOMPARE(terminal.server->memory().b[5].value, quint8(code == 0 ? 77 : 0));
+    QCOMPARE(terminal.server->arrived(0x7A), code == 0 ? 2 : 0); // the write, and the read back
 }
 
 void TestPendeskctl::transfersFiles()

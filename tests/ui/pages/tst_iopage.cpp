@@ -127,6 +127,10 @@ void TestIoPage::networkInputsAreWritten()
     QCOMPARE(label("before"), QStringLiteral("□ 0   □ 0   □ 0   □ 0   □ 0   □ 0   □ 0   ■ 1"));
     QCOMPARE(label("after"), QStringLiteral("□ 0   □ 0   □ 0   ■ 1   □ 0   □ 0   □ 0   ■ 1"));
     QCOMPARE(write->text(), QStringLiteral("Switch on"));
+    for (const char *name : {"before", "after"}) { // all eight can be read
+        const auto *bits = dialog->findChild<QLabel *>(QLatin1String(name));
+        QVERIFY(bits->width() >= bits->fontMetrics().horizontalAdvance(bits->text()));
+    }
     QVERIFY(dialog->grab().save(QStringLiteral(PENDESK_PICTURES "/io-write-dialog.png")));
     QTest::mouseClick(write, Qt::LeftButton);
     QTRY_VERIFY(label("sentence").contains(QStringLiteral("read back as it was written")));

@@ -33,6 +33,7 @@ void TestRegistersPage::areWrittenInFourWays()
     QTest::keyClick(room.table(), Qt::Key_Return);
     QVERIFY(room.find<QLabel>("sentence")->text().contains(QStringLiteral("M560 can only be read")));
     QVERIFY(room.page->topics().last().last >= 560);
+    QTRY_VERIFY(room.isSettled());
     room.picture(QStringLiteral("registers-hex"));
 }
 

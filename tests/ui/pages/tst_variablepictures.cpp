@@ -71,9 +71,11 @@ void TestVariablePictures::positions()
     QTest::keyClick(room.table(), Qt::Key_Return);
     QDialog *dialog = room.dialog("positionDialog");
     QVERIFY(dialog);
-    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    dialog->activateWindow();
+    QTRY_VERIFY(dialog->isActiveWindow());
     auto *axis = dialog->findChild<QLineEdit *>(QStringLiteral("axis1"));
     axis->setFocus();
+    QVERIFY(axis->hasFocus());
     axis->setText(QStringLiteral("812,5"));
     room.picture(QStringLiteral("variables-position-dialog"), dialog);
     QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("stageButton")), Qt::LeftButton);

@@ -170,6 +170,13 @@ void TestVariablesPage::badTextIsNotTaken()
     QVERIFY2(hint->text().contains(QStringLiteral("from 0 to 255")), qPrintable(hint->text()));
     QTest::keyClick(editor, Qt::Key_Escape);
     QVERIFY(!room.text(1).contains(u'→'));
+    // Left for another control: nothing is staged, and it is said.
+    room.type(1, QStringLiteral("nan"));
+    room.find<QLineEdit>("goTo")->setFocus();
+    const auto *sentence = room.find<QLabel>("sentence");
+    QTRY_VERIFY2(
+        sentence->text().startsWith(QStringLiteral("B001 stays as it is: “nan”")), qPrintable(sentence->text()));
+    QVERIFY(!room.text(1).contains(u'→'));
 }
 
 void TestVariablesPage::unverifiedNumberingWritesNothing()
