@@ -12,6 +12,7 @@ class QVBoxLayout;
 
 namespace widgets {
 class ControllerTile;
+struct Word;
 }
 
 namespace ui {
@@ -26,6 +27,8 @@ public:
         QWidget *parent = nullptr);
 
     void showLink(const LinkView &link);
+    /// The age of the last backup, on the controller's tile.
+    void showBackup(const widgets::Word &age);
 
 Q_SIGNALS:
     /// The person chose a row of the page catalogue.

@@ -81,7 +81,9 @@ QStringList withoutObjectName(const QWidget &page)
         const bool isPart = qobject_cast<QComboBox *>(widget->parentWidget())
             || qobject_cast<QAbstractSpinBox *>(widget->parentWidget())
             || qobject_cast<QAbstractItemView *>(widget->parentWidget())
-            || qobject_cast<QLineEdit *>(widget->parentWidget()) || qobject_cast<QTabBar *>(widget->parentWidget());
+            || qobject_cast<QLineEdit *>(widget->parentWidget())
+            || widget->parentWidget()->inherits("QComboBoxPrivateContainer")
+            || qobject_cast<QTabBar *>(widget->parentWidget());
         const bool isControl = qobject_cast<const QAbstractButton *>(widget)
             || qobject_cast<const QAbstractItemView *>(widget) || qobject_cast<const QLineEdit *>(widget)
             || qobject_cast<const QComboBox *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget)
@@ -124,9 +126,9 @@ private Q_SLOTS:
         QFile file(QStringLiteral("%1/%2-aloud.txt").arg(QStringLiteral(PENDESK_PICTURES), page->objectName()));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(reader.lines.join(u'\n').toUtf8());
-        for (const auto *owing : {"alarms", "io", "registers", "variables", "trend", "files", "backup", "journal"})
+        for (const auto *owing : {"alarms", "io", "registers", "variables", "trend", "journal"})
             QEXPECT_FAIL(owing, "A control of this page still has no name.", Continue);
-        QCOMPARE(reader.nameless + withoutObjectName(*page), QStringList());
+        QCOMPARE((reader.nameless + withoutObjectName(*page)).join(u'\n'), QString());
     }
 
     void stripAndRailReadAloud()
