@@ -31,7 +31,7 @@ BackupAge::BackupAge(const QString &controller, const settings::Notes &notes, QO
     connect(&m_timer, &QTimer::timeout, this, &BackupAge::look);
     connect(&m_looking, &QFutureWatcherBase::finished, this,
         [this] { Q_EMIT told(backupWord(m_looking.result(), QDateTime::currentDateTimeUtc())); });
-    m_timer.start(15s);
+    m_timer.start(5s);
     QTimer::singleShot(0, this, &BackupAge::look);
 }
 

@@ -22,7 +22,7 @@ public:
     BackupAge(const QString &controller, const settings::Notes &notes, QObject *parent = nullptr);
 
 Q_SIGNALS:
-    /// The folder was looked into: soon after the start, then four times a minute.
+    /// The folder was looked into: soon after the start, then every five seconds.
     void told(const widgets::Word &word);
 
 private:

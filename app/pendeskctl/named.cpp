@@ -287,4 +287,22 @@ void print(const Call &call, const QList<NamedValue> &values)
         print(QJsonValue {json});
 }
 
+std::optional<QList<Selection>> selectionsFromText(const Call &call, const QStringList &words)
+{
+    QList<Selection> result;
+    for (const QString &word : words) {
+        const auto selection = selectionFromText(word, call.profile.dialect());
+        if (!selection) {
+            complain(selection.error().detail);
+            return std::nullopt;
+        }
+        result << *selection;
+    }
+    if (result.isEmpty()) {
+        complain(tr("Say what to read."));
+        return std::nullopt;
+    }
+    return result;
+}
+
 } // namespace pendeskctl

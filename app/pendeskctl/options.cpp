@@ -130,6 +130,12 @@ std::optional<ExitCode> requireYes(const Call &call)
 
 void complain(const QString &sentence) { std::fprintf(stderr, "pendeskctl: %s\n", qUtf8Printable(sentence)); }
 
+ExitCode mistake(const QString &sentence)
+{
+    complain(sentence);
+    return Usage;
+}
+
 void print(const QString &line)
 {
     std::fprintf(stdout, "%s\n", qUtf8Printable(line));

@@ -60,6 +60,8 @@ struct VerbHelp {
 
 /// Prints "pendeskctl: `sentence`" on the error stream.
 void complain(const QString &sentence);
+/// Complains about how the program was called; Usage.
+[[nodiscard]] ExitCode mistake(const QString &sentence);
 /// Prints a line on the output stream.
 void print(const QString &line);
 /// Prints an object or array on the output stream.

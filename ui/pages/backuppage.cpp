@@ -84,7 +84,9 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
     const BackupChoices choices = readBackupChoices(context.store.notes(context.profile.name));
     m_keep->setValue(choices.retention.count);
     m_keepDays->setValue(choices.retention.days);
-    setRoot(choices.folder);
+    m_root = choices.folder;
+    say(tr("In %1").arg(QDir::toNativeSeparators(archive().folder())));
+    reload();
     for (const QSpinBox *box : {m_keep, m_keepDays})
         connect(box, &QSpinBox::valueChanged, this, &BackupPage::keepChoices);
 }
@@ -146,16 +148,15 @@ void BackupPage::setRoot(const QString &root)
 {
     m_root = root;
     say(tr("In %1").arg(QDir::toNativeSeparators(archive().folder())));
+    keepChoices();
     reload();
 }
 
 void BackupPage::chooseFolder()
 {
     const QString chosen = QFileDialog::getExistingDirectory(this, tr("Folder of the backups"), m_root);
-    if (chosen.isEmpty())
-        return;
-    setRoot(chosen);
-    keepChoices();
+    if (!chosen.isEmpty())
+        setRoot(chosen);
 }
 
 files::Retention BackupPage::retention() const { return {m_keep->value(), m_keepDays->value()}; }

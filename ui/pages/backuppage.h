@@ -33,7 +33,7 @@ public:
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
     void showLink(const ui::LinkView &link) override;
 
-    /// The folder of all backups.
+    /// The folder of all backups, from now on and after a restart.
     void setRoot(const QString &root);
     /// Reads the folder again.
     void reload();

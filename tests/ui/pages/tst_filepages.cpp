@@ -80,7 +80,7 @@ bool choose(QListWidget *list, const QString &text)
 template <typename Dialog> Dialog *waitForDialog(QWidget *page, const char *name)
 {
     Dialog *dialog = nullptr;
-    (void)QTest::qWaitFor([&] { return (dialog = find<Dialog>(page, name)) && dialog->isVisible(); });
+    (void)QTest::qWaitFor([&] { return (dialog = find<Dialog>(page, name)) && dialog->isActiveWindow(); });
     return dialog;
 }
 
