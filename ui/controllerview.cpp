@@ -139,6 +139,7 @@ void ControllerView::openPage(int row)
     } else {
         m_stack->setCurrentWidget(m_pages[row]);
     }
+    m_rail->showPage(row);
 }
 
 PageWindow *ControllerView::windowOf(const pages::Page *page) const

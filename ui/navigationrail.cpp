@@ -117,6 +117,8 @@ void NavigationRail::addActions(QVBoxLayout *column, const Actions &actions)
     column->addWidget(more);
 }
 
+void NavigationRail::showPage(int row) { m_pages->button(row)->setChecked(true); }
+
 void NavigationRail::showLink(const LinkView &link)
 {
     m_link = link;

@@ -29,6 +29,8 @@ public:
     void showLink(const LinkView &link);
     /// The age of the last backup, on the controller's tile.
     void showBackup(const widgets::Word &age);
+    /// Marks the page that is in view, by its row of the page catalogue.
+    void showPage(int row);
 
 Q_SIGNALS:
     /// The person chose a row of the page catalogue.

@@ -8,6 +8,7 @@
 #include "ui/pages/iopage.h"
 #include "ui/pages/jobspage.h"
 #include "ui/pages/journalpage.h"
+#include "ui/pages/motionpage.h"
 #include "ui/pages/overviewpage.h"
 #include "ui/pages/positionpage.h"
 #include "ui/pages/registerspage.h"
@@ -32,6 +33,7 @@ constexpr PageRow rows[] {
     {"registers", TITLE("Registers"), "registers", "Ctrl+4", create<pages::RegistersPage>},
     {"variables", TITLE("Variables"), "variables", "Ctrl+5", create<pages::VariablesPage>},
     {"position", TITLE("Position"), "position", "Ctrl+6", create<pages::PositionPage>},
+    {"motion", TITLE("Jog and move"), "motion", "Ctrl+J", create<pages::MotionPage>},
     {"trend", TITLE("Trend"), "trend", "Ctrl+T", create<pages::TrendPage>},
     {"jobs", TITLE("Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},
     {"files", TITLE("Files"), "files", "Ctrl+8", create<pages::FilesPage>},

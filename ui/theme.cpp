@@ -187,6 +187,8 @@ QPushButton[primary="true"]:focus { border: 2px solid %8; padding: 4px 13px; }
 QPushButton[primary="true"]:disabled { background: %2; border-color: %2; color: %3; }
 QPushButton[link="true"] { background: transparent; border: 1px solid transparent; padding: 2px 6px; font-weight: 600; }
 QPushButton[link="true"]:hover, QPushButton[link="true"]:focus { border-color: %8; }
+QPushButton[segment="true"] { border-radius: 0; padding: 5px 8px; }
+QPushButton[segment="true"]:checked { background: %5; color: %4; font-weight: 600; border-color: %4; }
 QPushButton[rail="true"] { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 6px 8px;
     text-align: left; }
 QPushButton[rail="true"]:hover, QPushButton[rail="true"]:focus { border-color: %2; }

@@ -38,7 +38,7 @@ bool isSamePlace(const values::Position &a, const values::Position &b)
     return from && to && distance(*from, *to) <= lengthTolerance && rotationDistance(*from, *to) <= angleTolerance;
 }
 
-Follower::Follower(const values::Position &target, Time sentAt, std::chrono::milliseconds expected)
+Follower::Follower(const std::optional<values::Position> &target, Time sentAt, std::chrono::milliseconds expected)
     : m_target {target}, m_deadline {sentAt + 2 * expected + patience}
 {
 }
@@ -81,7 +81,9 @@ Follower::Outcome Follower::takePosition(const values::Position &position, Time 
         m_restedAt = position;
         return tick(now);
     }
-    return end(isSamePlace(position, m_target) ? Outcome::Arrived : Outcome::Stopped);
+    if (!m_target)
+        return end(Outcome::Rested);
+    return end(isSamePlace(position, *m_target) ? Outcome::Arrived : Outcome::Stopped);
 }
 
 Follower::Outcome Follower::loseLink() { return end(Outcome::Unknown); }

@@ -20,11 +20,13 @@ public:
         Refused,
         Arrived, ///< It rests where it should.
         Stopped, ///< It rests elsewhere: position() says where.
+        Rested, ///< It rests at position(), and where it should was not known here.
         Unknown, ///< Not answered, communication lost, or it does not come to rest: look at the robot.
     };
 
-    /// `target` is of the type of the positions that will be read. `expected` is how long it should take.
-    Follower(const values::Position &target, Time sentAt, std::chrono::milliseconds expected);
+    /// `target` is of the type of the positions that will be read; nullopt where it cannot be foretold. `expected` is
+    /// how long it should take.
+    Follower(const std::optional<values::Position> &target, Time sentAt, std::chrono::milliseconds expected);
 
     /// What was found out first holds; later news change nothing. A reply that is not known ends it as Unknown at once.
     Outcome takeReply(StepEngine::Reply reply, Time now);
@@ -41,7 +43,7 @@ public:
 private:
     Outcome end(Outcome outcome);
 
-    values::Position m_target;
+    std::optional<values::Position> m_target;
     Time m_deadline;
     std::optional<Time> m_acceptedAt;
     bool m_hasRun = false;

@@ -52,6 +52,7 @@ values::Result<Limits> limits(const Wishes &wishes)
     if (wishes.box && !hasInside(*wishes.box))
         return damaged("box");
     result.box = wishes.box;
+    result.areFramesChecked = wishes.areFramesChecked;
     return result;
 }
 

@@ -25,6 +25,7 @@ struct Wishes {
     std::optional<double> stepAngle {};
     std::optional<double> stepPulses {};
     std::optional<Box> box {};
+    bool areFramesChecked = false; ///< What codes 18 and 19 mean was tried on this robot (reference §12, conflict 27).
 
     bool operator==(const Wishes &) const = default;
 };
@@ -38,6 +39,7 @@ struct Limits {
     double stepAngle = ceiling::stepAngle;
     double stepPulses = ceiling::stepPulses;
     std::optional<Box> box; ///< None: anywhere.
+    bool areFramesChecked = false; ///< Else there are no user and tool frames.
 
     bool operator==(const Limits &) const = default;
 };

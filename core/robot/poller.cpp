@@ -213,15 +213,19 @@ void Poller::send(const PlannedRead &read)
     }
 }
 
-/// Asks, hands a value to `take` and settles the slot.
+/// Asks, hands a value to `take` and settles the slot. The status, on which the link and every order depend, goes ahead
+/// of what waits.
 template <typename Request, typename Take> void Poller::ask(const PlannedRead &read, const Request &request, Take take)
 {
-    m_session->send(request, m_context.get(), [this, read, take](const Result<typename Request::Reply> &value) {
+    const auto onReply = [this, read, take](const Result<typename Request::Reply> &value) {
         const Time at = now();
         if (value)
             take(*value, at);
         settle(read, value ? std::nullopt : std::optional {value.error()}, at);
-    });
+    };
+    const bool isStatus = read.range.kind == Kind::Status;
+    m_session->send(
+        request, m_context.get(), onReply, isStatus ? session::Priority::Control : session::Priority::Page);
 }
 
 template <Kind kind> void Poller::sendSingle(const PlannedRead &read)

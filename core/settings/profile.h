@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "motion/limits.h"
 #include "protocol/dialect.h"
 #include "protocol/packet.h"
 #include "protocol/text.h"
@@ -34,6 +35,7 @@ struct Profile {
     /// By the pulse instance of a control group, for each of its axes; 0 where it is not known. HSES does not tell it
     /// (reference §5.1), so degrees are shown only where a person entered it.
     std::map<quint16, std::array<double, values::maxAxes>> pulsesPerDegree;
+    motion::Wishes motion; ///< Limits of jogging and moving below the ceilings of the program.
     bool isSimulation = false; ///< The embedded virtual controller: the window says SIMULATION.
 
     bool operator==(const Profile &) const = default;

@@ -67,6 +67,61 @@ bool readFactors(const QJsonObject &json, Profile &profile)
     return true;
 }
 
+/// Visits everything that a profile can say about motion limits.
+void describeMotion(auto &&visit, auto &motion)
+{
+    visit("toolSpeed", motion.toolSpeed);
+    visit("rotationSpeed", motion.rotationSpeed);
+    visit("jointSpeed", motion.jointSpeed);
+    visit("stepLength", motion.stepLength);
+    visit("stepAngle", motion.stepAngle);
+    visit("stepPulses", motion.stepPulses);
+}
+
+QJsonArray toJson(const motion::Vector &vector) { return {vector[0], vector[1], vector[2]}; }
+
+QJsonObject motionToJson(const motion::Wishes &motion)
+{
+    QJsonObject json;
+    describeMotion(
+        [&](const char *key, const std::optional<double> &wish) {
+            if (wish)
+                json[QLatin1StringView(key)] = *wish;
+        },
+        motion);
+    if (motion.box)
+        json[QStringLiteral("box")] = QJsonObject {
+            {QStringLiteral("least"), toJson(motion.box->least)}, {QStringLiteral("most"), toJson(motion.box->most)}};
+    if (motion.areFramesChecked)
+        json[QStringLiteral("framesChecked")] = true;
+    return json;
+}
+
+/// What is there and no number becomes NaN, which motion::limits() refuses: nothing moves by a limit that nobody
+/// understands, and the rest of the profile stays usable.
+motion::Vector vectorFrom(const QJsonValue &json)
+{
+    motion::Vector vector;
+    for (qsizetype axis = 0; axis < 3; ++axis)
+        vector[std::size_t(axis)] = json[axis].toDouble(qQNaN());
+    return vector;
+}
+
+motion::Wishes motionFrom(const QJsonObject &json)
+{
+    motion::Wishes motion;
+    describeMotion(
+        [&](const char *key, std::optional<double> &wish) {
+            if (const auto given = json.value(QLatin1StringView(key)); !given.isUndefined())
+                wish = given.toDouble(qQNaN());
+        },
+        motion);
+    if (const auto box = json.value(u"box"); !box.isUndefined())
+        motion.box = motion::Box {vectorFrom(box[u"least"]), vectorFrom(box[u"most"])};
+    motion.areFramesChecked = json.value(u"framesChecked").toBool();
+    return motion;
+}
+
 QString rangeSentence(const char *label, int least, int most)
 {
     return tr("%1 must be a whole number from %2 to %3.").arg(tr(label)).arg(least).arg(most);
@@ -89,6 +144,8 @@ QJsonObject toJson(const Profile &profile)
         profile);
     if (!profile.pulsesPerDegree.empty())
         json[QStringLiteral("pulsesPerDegree")] = factorsToJson(profile);
+    if (profile.motion != motion::Wishes {})
+        json[QStringLiteral("motion")] = motionToJson(profile.motion);
     return json;
 }
 
@@ -125,6 +182,7 @@ values::Result<Profile> profileFromJson(const QJsonObject &json)
                 value = std::remove_reference_t<decltype(value)>(int(given));
         },
         profile);
+    profile.motion = motionFrom(json.value(u"motion").toObject());
     if (!readFactors(json.value(u"pulsesPerDegree").toObject(), profile))
         trouble = tr("Pulses per degree must be lists of numbers, one list for each control group.");
     if (trouble.isEmpty())

@@ -45,12 +45,12 @@ struct Cell {
     }
     [[nodiscard]] bool armed() { return live() && orders->arm(); }
 
+    QList<journal::OrderRecord> records; ///< Outlives the orders, which record to the last.
     robot::Access access;
     robot::Arming arming;
     std::unique_ptr<virtualcontroller::Server> server;
     std::unique_ptr<robot::Controller> controller;
     robot::Poller::Interest interest;
     std::unique_ptr<robot::Orders> orders;
-    QList<journal::OrderRecord> records;
     bool isUp = false;
 };

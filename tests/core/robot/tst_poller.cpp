@@ -42,6 +42,7 @@ private Q_SLOTS:
     void shortStringsOfOldModels();
     void alarmsWithoutTextsOnOldControllers();
     void alarmsAreReadOnTheEdge();
+    void manyReadsDoNotDelayTheStatus();
 
 private:
     Server &serve(const virtualcontroller::Settings &settings = {}, const QString &faults = {});
@@ -141,6 +142,22 @@ void TestPoller::alarmsAreReadOnTheEdge()
     QVERIFY(controller.state().reading<Kind::Alarm>(1).value->alarm.isEmpty());
     virtualcontroller::raiseAlarm(m_server->memory(), 4107, "OVERRUN");
     QTRY_COMPARE(controller.state().reading<Kind::Alarm>(1).value->alarm.code, 4107u);
+}
+
+/// Forty groups are asked at once, each for 40 ms: 1.6 s, in which the status is due sixteen times.
+void TestPoller::manyReadsDoNotDelayTheStatus()
+{
+    Controller controller {profileOf(serve({}, QStringLiteral("any reply delay ms=40")))};
+    controller.open();
+    QTRY_VERIFY(controller.linkState() == LinkState::Monitoring);
+    const int before = m_server->arrived(0x72);
+    const auto interest =
+        controller.poller().want({{Kind::AxisNames, 1, 8}, {Kind::AxisNames, 11, 18}, {Kind::AxisNames, 21, 44}});
+    for (const int group : {1, 8, 11, 18, 21, 44})
+        QTRY_VERIFY(freshness(controller, Kind::AxisNames, group) != Freshness::Unknown);
+    const int read = m_server->arrived(0x72) - before;
+    QVERIFY2(read >= 8, qPrintable(QString::number(read)));
+    QCOMPARE(controller.timesLost(), 0);
 }
 
 QTEST_GUILESS_MAIN(TestPoller)

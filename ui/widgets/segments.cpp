@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/widgets/segments.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace widgets {
+
+Segments::Segments(const QString &name, const QString &title, QWidget *parent)
+    : QWidget(parent), m_title {title}, m_group {new QButtonGroup(this)}
+{
+    setObjectName(name);
+    setAccessibleName(title);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    connect(m_group, &QButtonGroup::idClicked, this, &Segments::changed);
+}
+
+void Segments::setChoices(const QStringList &words, int chosen)
+{
+    qDeleteAll(m_group->buttons());
+    for (int place = 0; place < int(words.size()); ++place) {
+        auto *button = new QPushButton(words[place]);
+        button->setObjectName(objectName() + QString::number(place + 1));
+        button->setAccessibleName(tr("%1: %2", "what is chosen: the choice").arg(m_title, words[place]));
+        button->setCheckable(true);
+        button->setAutoDefault(false);
+        button->setProperty("segment", true);
+        m_group->addButton(button, place);
+        layout()->addWidget(button);
+    }
+    choose(chosen);
+}
+
+int Segments::chosen() const { return m_group->checkedId(); }
+
+void Segments::choose(int place)
+{
+    if (auto *button = m_group->button(place))
+        button->setChecked(true);
+}
+
+} // namespace widgets
