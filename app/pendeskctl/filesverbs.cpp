@@ -122,7 +122,8 @@ int runFiles(const QStringList &arguments)
     const QCommandLineOption replace {QStringLiteral("replace"), tr("put: replace what the controller has.")};
     const VerbHelp help {
         tr("Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a "
-           "copy is written here."),
+           "copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need "
+           "--yes."),
         QStringLiteral("ls [PATTERN] | get NAME… | put FILE… | rm NAME…"), {to, replace}};
     if (const auto end = read(call, parser, help, arguments))
         return *end;

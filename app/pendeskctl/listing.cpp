@@ -62,7 +62,11 @@ void expand(Desk &desk, const QStringList &words, const QStringList &done, const
                           const QStringList &names) { expand(desk, rest, done + names, handler); };
     const QString word = words.first();
     if (word.contains(u'*') || word.contains(u'?'))
-        list(desk, word, goOn);
+        list(desk, word, [word, goOn](const QStringList &names) {
+            if (names.isEmpty())
+                complain(tr("The controller lists no file that “%1” matches.").arg(word));
+            goOn(names);
+        });
     else
         goOn({word});
 }

@@ -29,8 +29,10 @@ enum ExitCode {
 [[nodiscard]] values::Result<settings::Profile> profileOf(const QCommandLineParser &parser);
 
 /// Parses `arguments` (the verb first); on a mistake prints it with a hint to --help and ends with `Usage`.
-/// Prints the help and ends with `Done` when asked for it. nullopt means: go on.
-[[nodiscard]] std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments);
+/// Prints the help and ends with `Done` when asked for it. nullopt means: go on. `words` are what the verb takes
+/// beside options.
+[[nodiscard]] std::optional<ExitCode> parse(
+    QCommandLineParser &parser, const QStringList &arguments, const QString &words = {});
 
 /// What a verb is told.
 struct Call {

@@ -6,6 +6,7 @@
 #include "protocol/fields.h"
 #include "protocol/payloads.h"
 #include "protocol/requests.h"
+#include "robot/snapshot.h"
 #include <QJsonArray>
 #include <memory>
 
@@ -52,16 +53,31 @@ void printFields(const Desk &desk, const protocol::Fields &fields)
         print(QStringLiteral("%1  %2").arg(field.name, textOf(field.value)));
 }
 
-/// Sends one read and prints its fields.
-template <typename Read> int readAndPrint(const Call &call, const Read &order)
+/// The axes with their names and units, then what else tells where that is.
+void printPosition(Desk &desk, const values::Position &position, const values::AxisNames &names)
 {
-    return run(call, [order](Desk &desk) {
-        desk.robot().send(order, &desk, [&desk](const Result<typename Read::Reply> &reply) {
-            if (!reply)
-                return desk.fail(reply.error());
-            printFields(desk, fieldsOf(*reply, desk));
-            desk.finish(Done);
-        });
+    const protocol::Fields fields = fieldsOf(position, desk);
+    if (desk.call().isJson)
+        return printFields(desk, fields);
+    for (const QString &word : robot::axisWords(position, names))
+        print(word);
+    const bool isPulse = values::axisUnit(position.type, 0) == values::AxisUnit::Pulse;
+    for (const protocol::Field &field : fields) {
+        if (field.name == u"tool" || (!isPulse && field.name == u"form_words"))
+            print(QStringLiteral("%1: %2").arg(QString {field.name}.replace(u'_', u' '), textOf(field.value)));
+    }
+}
+
+void readPosition(Desk &desk, values::ControlGroup group)
+{
+    desk.robot().send(protocol::ReadAxisNames {group}, &desk, [&desk, group](const Result<values::AxisNames> &names) {
+        desk.robot().send(
+            protocol::ReadPosition {group}, &desk, [&desk, names](const Result<values::Position> &position) {
+                if (!position)
+                    return desk.fail(position.error());
+                printPosition(desk, *position, names.value_or(values::AxisNames {}));
+                desk.finish(Done);
+            });
     });
 }
 
@@ -135,7 +151,15 @@ int runInfo(const QStringList &arguments)
     QCommandLineParser parser;
     if (const auto end = read(call, parser, {tr("Reads model, system software and parameter version."), {}}, arguments))
         return *end;
-    return readAndPrint(call, protocol::ReadSystemInformation::robot(1));
+    return run(call, [](Desk &desk) {
+        desk.robot().send(
+            protocol::ReadSystemInformation::robot(1), &desk, [&desk](const Result<values::SystemInformation> &system) {
+                if (!system)
+                    return desk.fail(system.error());
+                printFields(desk, fieldsOf(*system, desk));
+                desk.finish(Done);
+            });
+    });
 }
 
 int runPosition(const QStringList &arguments)
@@ -147,7 +171,7 @@ int runPosition(const QStringList &arguments)
         return *end;
     const bool inPulses = parser.isSet(pulse);
     const auto group = inPulses ? values::ControlGroup::robotPulse(1) : values::ControlGroup::robotCartesian(1);
-    return readAndPrint(call, protocol::ReadPosition {group});
+    return run(call, [group](Desk &desk) { readPosition(desk, group); });
 }
 
 int runAlarms(const QStringList &arguments)

@@ -59,7 +59,7 @@ void restore(
             const bool isPart =
                 std::ranges::any_of(plan, [](const auto &item) { return item.step == files::RestoreStep::NotAllowed; });
             if (!desk.call().isQuiet)
-                complain(tr("%1 files were restored. The fresh backup is %2.")
+                complain(tr("Files restored: %1. The fresh backup is %2.")
                              .arg(restore->filesDone())
                              .arg(restore->backup().path()));
             return desk.finish(isPart ? Partial : Done);

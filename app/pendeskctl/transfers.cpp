@@ -64,7 +64,7 @@ private:
         const QString name = m_desk.codec().decode(task.name().bytes());
         QJsonObject json {{QStringLiteral("name"), name}};
         if (task.error()) {
-            m_desk.complainOf(*task.error());
+            m_desk.complainOf(*task.error(), name);
             json.insert(QStringLiteral("error"), protocol::explain(*task.error()));
             m_lastFailure = exitCodeOf(*task.error());
             ++m_failures;
@@ -129,7 +129,7 @@ void transfer(Desk &desk, const QStringList &names, const TaskMaker &taskFor)
             ++skipped;
     }
     if (tasks.empty())
-        return desk.finish(skipped > 0 ? Partial : Done);
+        return desk.finish(Partial);
     auto *transfers = new Transfers {desk, skipped};
     for (auto &task : tasks)
         transfers->add(std::move(task));
