@@ -4,6 +4,7 @@
 
 #include "ui/accessswitch.h"
 #include "ui/armbadge.h"
+#include "ui/backupage.h"
 #include "ui/conditionwords.h"
 #include "ui/navigationrail.h"
 #include "ui/pagecatalog.h"
@@ -59,6 +60,8 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
     m_fade.setInterval(20s);
     m_names.follow(m_controller);
     addPages(store, actions);
+    const auto *backup = new BackupAge(profile.name, store.notes(profile.name), this);
+    connect(backup, &BackupAge::told, m_rail, &NavigationRail::showBackup);
     connect(m_bar, &widgets::MessageBar::linkActivated, this, [this, &actions] {
         if (m_barAction)
             actions.action(*m_barAction)->trigger();

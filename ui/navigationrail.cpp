@@ -125,6 +125,8 @@ void NavigationRail::showLink(const LinkView &link)
     showTile();
 }
 
+void NavigationRail::showBackup(const Word &age) { m_tile->showBackup(age); }
+
 void NavigationRail::showTile()
 {
     const auto &status = m_state.status().value;

@@ -12,6 +12,7 @@ class QVBoxLayout;
 
 namespace widgets {
 class ControllerTile;
+struct Word;
 }
 
 namespace ui {
@@ -26,6 +27,8 @@ public:
         QWidget *parent = nullptr);
 
     void showLink(const LinkView &link);
+    /// The age of the last backup, on the controller's tile.
+    void showBackup(const widgets::Word &age);
     /// Marks the page that is in view, by its row of the page catalogue.
     void showPage(int row);
 

@@ -66,13 +66,13 @@ void Desk::finish(ExitCode code)
     QCoreApplication::exit(code);
 }
 
-void Desk::complainOf(const Error &error) const
+void Desk::complainOf(const Error &error, const QString &subject) const
 {
     showProgress(m_call, {});
     const bool isOurs =
         error.kind == ErrorKind::NotSent || error.kind == ErrorKind::LocalFile || error.kind == ErrorKind::BadInput;
     const QString words = isOurs && !error.detail.isEmpty() ? error.detail : protocol::explain(error);
-    complain(QStringLiteral("%1: %2").arg(m_call.profile.host, words));
+    complain(QStringLiteral("%1: %2").arg(subject.isEmpty() ? m_call.profile.host : subject, words));
 }
 
 void Desk::fail(const Error &error)

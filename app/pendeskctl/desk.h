@@ -29,7 +29,8 @@ public:
     void finish(ExitCode code);
     /// Ends it with the error in words.
     void fail(const values::Error &error);
-    void complainOf(const values::Error &error) const;
+    /// Says whom it is about: the controller, or `subject`.
+    void complainOf(const values::Error &error, const QString &subject = {}) const;
 
 private:
     Call m_call;

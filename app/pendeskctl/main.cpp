@@ -44,7 +44,16 @@ QString usage()
         text += QStringLiteral("  %1 %2\n")
                     .arg(QLatin1StringView(verb.name), -10)
                     .arg(QCoreApplication::translate("pendeskctl", verb.purpose));
-    return text + QCoreApplication::translate("pendeskctl", "pendeskctl VERB --help tells more.");
+    const QStringList remarks {
+        QCoreApplication::translate("pendeskctl", "pendeskctl VERB --help tells more."),
+        QCoreApplication::translate(
+            "pendeskctl", "The controller is named with --host H, or with --profile NAME as Pendesk keeps it."),
+        QCoreApplication::translate("pendeskctl", "What changes something does nothing without --yes."),
+        QCoreApplication::translate("pendeskctl",
+            "Exit codes: 0 done, 1 differences, 2 wrong call, 3 no answer or outcome unknown, 4 refused,\n"
+            "5 local file error, 6 verification failed, 7 done in part."),
+    };
+    return text + u'\n' + remarks.join(u'\n');
 }
 
 /// Backups get their name last and files are replaced at once, so it does no harm to stop anywhere.

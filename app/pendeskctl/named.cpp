@@ -287,4 +287,39 @@ void print(const Call &call, const QList<NamedValue> &values)
         print(QJsonValue {json});
 }
 
+namespace {
+
+/// Where nobody has compared a variable with the pendant, its neighbour may be shown.
+void remarkOnNumbering(const Call &call, const QList<Selection> &selections)
+{
+    const bool isSettled = call.hasNumbering || call.profile.numberingVerified.isValid();
+    const bool hasVariables = std::ranges::any_of(selections, [](const Selection &selection) {
+        return selection.what == Selection::What::Variables && selection.range.kind != variables::Kind::M;
+    });
+    if (hasVariables && !isSettled && !call.isQuiet)
+        complain(tr("Nobody has verified how this controller numbers its variables (parameter RS022), so these may be "
+                    "their neighbours. --numbering 0 or --numbering 1 settles it."));
+}
+
+} // namespace
+
+std::optional<QList<Selection>> selectionsFromText(const Call &call, const QStringList &words)
+{
+    QList<Selection> result;
+    for (const QString &word : words) {
+        const auto selection = selectionFromText(word, call.profile.dialect());
+        if (!selection) {
+            complain(selection.error().detail);
+            return std::nullopt;
+        }
+        result << *selection;
+    }
+    if (result.isEmpty()) {
+        complain(tr("Say what to read."));
+        return std::nullopt;
+    }
+    remarkOnNumbering(call, result);
+    return result;
+}
+
 } // namespace pendeskctl

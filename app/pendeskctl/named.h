@@ -28,6 +28,9 @@ struct Selection {
 /// a sentence for anything else.
 [[nodiscard]] values::Result<Selection> selectionFromText(const QString &text, const protocol::Dialect &dialect);
 
+/// Several of them; a mistake is complained about, and so is that there is none.
+[[nodiscard]] std::optional<QList<Selection>> selectionsFromText(const Call &call, const QStringList &words);
+
 using ValuesHandler = std::function<void(const values::Result<QList<NamedValue>> &)>;
 /// Reads one selection after the other, each in the fewest packets. The first error ends it.
 void readAll(Desk &desk, const QList<Selection> &selections, ValuesHandler handler);

@@ -83,9 +83,10 @@ Result<settings::Profile> profileOf(const QCommandLineParser &parser)
     return **named;
 }
 
-std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments)
+std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments, const QString &words)
 {
-    const auto help = parser.addHelpOption();
+    const QCommandLineOption help {{QStringLiteral("h"), QStringLiteral("help")}, tr("Print this and end.")};
+    parser.addOption(help);
     if (!parser.parse(arguments)) {
         complain(parser.errorText() + QLatin1Char(' ') + tr("See pendeskctl %1 --help.").arg(arguments.first()));
         return Usage;
@@ -93,7 +94,10 @@ std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arg
     if (parser.isSet(help)) {
         // Qt writes the program's path where a person types the program and the verb.
         const QString program = QStringLiteral("pendeskctl ") + arguments.first();
-        print(parser.helpText().replace(QCoreApplication::arguments().constFirst(), program).trimmed());
+        QString text = parser.helpText().replace(QCoreApplication::arguments().constFirst(), program);
+        if (!words.isEmpty())
+            text.insert(text.indexOf(u'\n'), u' ' + words);
+        print(text.trimmed());
         return Done;
     }
     return std::nullopt;
@@ -103,11 +107,9 @@ std::optional<ExitCode> read(Call &call, QCommandLineParser &parser, const VerbH
 {
     parser.setApplicationDescription(help.description);
     parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
-    if (!help.words.isEmpty())
-        parser.addPositionalArgument(QStringLiteral("words"), {}, help.words);
     addCommonOptions(parser, help.needsController);
     parser.addOptions(help.options);
-    if (const auto end = parse(parser, arguments))
+    if (const auto end = parse(parser, arguments, help.words))
         return end;
     call.words = parser.positionalArguments();
     call.isJson = parser.isSet(QStringLiteral("json"));
@@ -130,7 +132,7 @@ std::optional<ExitCode> requireYes(const Call &call)
 
 void complain(const QString &sentence) { std::fprintf(stderr, "pendeskctl: %s\n", qUtf8Printable(sentence)); }
 
-int mistake(const QString &sentence)
+ExitCode mistake(const QString &sentence)
 {
     complain(sentence);
     return Usage;

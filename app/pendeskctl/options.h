@@ -29,8 +29,10 @@ enum ExitCode {
 [[nodiscard]] values::Result<settings::Profile> profileOf(const QCommandLineParser &parser);
 
 /// Parses `arguments` (the verb first); on a mistake prints it with a hint to --help and ends with `Usage`.
-/// Prints the help and ends with `Done` when asked for it. nullopt means: go on.
-[[nodiscard]] std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments);
+/// Prints the help and ends with `Done` when asked for it. nullopt means: go on. `words` are what the verb takes
+/// beside options.
+[[nodiscard]] std::optional<ExitCode> parse(
+    QCommandLineParser &parser, const QStringList &arguments, const QString &words = {});
 
 /// What a verb is told.
 struct Call {
@@ -60,8 +62,8 @@ struct VerbHelp {
 
 /// Prints "pendeskctl: `sentence`" on the error stream.
 void complain(const QString &sentence);
-/// The same, and returns Usage.
-int mistake(const QString &sentence);
+/// Complains about how the program was called; Usage.
+[[nodiscard]] ExitCode mistake(const QString &sentence);
 /// Prints a line on the output stream.
 void print(const QString &line);
 /// Prints an object or array on the output stream.

@@ -2,15 +2,12 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "verbs.h"
 
-#include "named.h"
+#include "desk.h"
 #include "protocol/fields.h"
 #include "protocol/payloads.h"
 #include "protocol/requests.h"
-#include "writes.h"
-#include <QDateTime>
+#include "robot/snapshot.h"
 #include <QJsonArray>
-#include <QRegularExpression>
-#include <QTimer>
 #include <memory>
 
 using values::Error;
@@ -56,16 +53,31 @@ void printFields(const Desk &desk, const protocol::Fields &fields)
         print(QStringLiteral("%1  %2").arg(field.name, textOf(field.value)));
 }
 
-/// Sends one read and prints its fields.
-template <typename Read> int readAndPrint(const Call &call, const Read &order)
+/// The axes with their names and units, then what else tells where that is.
+void printPosition(Desk &desk, const values::Position &position, const values::AxisNames &names)
 {
-    return run(call, [order](Desk &desk) {
-        desk.robot().send(order, &desk, [&desk](const Result<typename Read::Reply> &reply) {
-            if (!reply)
-                return desk.fail(reply.error());
-            printFields(desk, fieldsOf(*reply, desk));
-            desk.finish(Done);
-        });
+    const protocol::Fields fields = fieldsOf(position, desk);
+    if (desk.call().isJson)
+        return printFields(desk, fields);
+    for (const QString &word : robot::axisWords(position, names))
+        print(word);
+    const bool isPulse = values::axisUnit(position.type, 0) == values::AxisUnit::Pulse;
+    for (const protocol::Field &field : fields) {
+        if (field.name == u"tool" || (!isPulse && field.name == u"form_words"))
+            print(QStringLiteral("%1: %2").arg(QString {field.name}.replace(u'_', u' '), textOf(field.value)));
+    }
+}
+
+void readPosition(Desk &desk, values::ControlGroup group)
+{
+    desk.robot().send(protocol::ReadAxisNames {group}, &desk, [&desk, group](const Result<values::AxisNames> &names) {
+        desk.robot().send(
+            protocol::ReadPosition {group}, &desk, [&desk, names](const Result<values::Position> &position) {
+                if (!position)
+                    return desk.fail(position.error());
+                printPosition(desk, *position, names.value_or(values::AxisNames {}));
+                desk.finish(Done);
+            });
     });
 }
 
@@ -131,64 +143,6 @@ struct AlarmReader : std::enable_shared_from_this<AlarmReader> {
     QJsonArray alarms;
 };
 
-/// "IN", "0..99", "005" with what `registers` means by them.
-QString registerWord(const QString &word) { return word.startsWith(u'M') ? word : u'M' + word; }
-
-std::optional<QList<Selection>> selections(const Call &call, const QStringList &words)
-{
-    QList<Selection> result;
-    for (const QString &word : words) {
-        const auto selection = selectionFromText(word, call.profile.dialect());
-        if (!selection) {
-            complain(selection.error().detail);
-            return std::nullopt;
-        }
-        result << *selection;
-    }
-    if (result.isEmpty()) {
-        complain(tr("Say what to read."));
-        return std::nullopt;
-    }
-    return result;
-}
-
-int getNamed(const Call &call, const QStringList &words)
-{
-    const auto wanted = selections(call, words);
-    if (!wanted)
-        return Usage;
-    return run(call, [wanted](Desk &desk) {
-        readAll(desk, *wanted, [&desk](const Result<QList<NamedValue>> &values) {
-            if (!values)
-                return desk.fail(values.error());
-            print(desk.call(), *values);
-            desk.finish(Done);
-        });
-    });
-}
-
-using Setter = int (*)(const Call &call, const QString &word, const QString &typed);
-
-int getOrSet(const QStringList &arguments, const VerbHelp &help, QString (*wordOf)(const QString &), Setter set)
-{
-    Call call;
-    QCommandLineParser parser;
-    if (const auto end = read(call, parser, help, arguments))
-        return *end;
-    QStringList words = call.words.mid(1);
-    const QString what = call.words.value(0);
-    if (what == u"get") {
-        for (QString &word : words)
-            word = wordOf(word);
-        return getNamed(call, words);
-    }
-    if (what == u"set" && words.size() == 2)
-        return set(call, wordOf(words[0]), words[1]);
-    return mistake(tr("Say “get NAME…” or “set NAME VALUE”."));
-}
-
-QString asItIs(const QString &word) { return word; }
-
 } // namespace
 
 int runInfo(const QStringList &arguments)
@@ -197,7 +151,15 @@ int runInfo(const QStringList &arguments)
     QCommandLineParser parser;
     if (const auto end = read(call, parser, {tr("Reads model, system software and parameter version."), {}}, arguments))
         return *end;
-    return readAndPrint(call, protocol::ReadSystemInformation::robot(1));
+    return run(call, [](Desk &desk) {
+        desk.robot().send(
+            protocol::ReadSystemInformation::robot(1), &desk, [&desk](const Result<values::SystemInformation> &system) {
+                if (!system)
+                    return desk.fail(system.error());
+                printFields(desk, fieldsOf(*system, desk));
+                desk.finish(Done);
+            });
+    });
 }
 
 int runPosition(const QStringList &arguments)
@@ -209,7 +171,7 @@ int runPosition(const QStringList &arguments)
         return *end;
     const bool inPulses = parser.isSet(pulse);
     const auto group = inPulses ? values::ControlGroup::robotPulse(1) : values::ControlGroup::robotCartesian(1);
-    return readAndPrint(call, protocol::ReadPosition {group});
+    return run(call, [group](Desk &desk) { readPosition(desk, group); });
 }
 
 int runAlarms(const QStringList &arguments)
@@ -224,75 +186,6 @@ int runAlarms(const QStringList &arguments)
     if (parser.isSet(history) && !list)
         return mistake(tr("--history takes major, minor, user, system or offline."));
     return run(call, [list](Desk &desk) { std::make_shared<AlarmReader>(desk, list)->next(); });
-}
-
-int runIo(const QStringList &arguments)
-{
-    return getOrSet(arguments,
-        {tr("Reads rows of I/O groups (2701..2710) or signals (27010, IN#(1)); writes one network input."),
-            QStringLiteral("get GROUP[..GROUP]|SIGNAL… | set SIGNAL 0|1")},
-        asItIs, setSignal);
-}
-
-int runRegisters(const QStringList &arguments)
-{
-    return getOrSet(arguments,
-        {tr("Reads registers; writes one and reads it back."), QStringLiteral("get N[..N]… | set N VALUE")},
-        registerWord, setVariable);
-}
-
-int runVar(const QStringList &arguments)
-{
-    return getOrSet(arguments,
-        {tr("Reads variables B I D R S P BP EX; writes one and reads it back."),
-            QStringLiteral("get NAME[..NAME]… | set NAME VALUE")},
-        asItIs, setVariable);
-}
-
-int runWatch(const QStringList &arguments)
-{
-    Call call;
-    QCommandLineParser parser;
-    const QCommandLineOption every {QStringLiteral("every"), tr("Time between two readings: 1s, 200ms."),
-        QStringLiteral("TIME"), QStringLiteral("1s")};
-    const QCommandLineOption count {
-        QStringLiteral("count"), tr("End after so many readings."), QStringLiteral("N"), QStringLiteral("0")};
-    const VerbHelp help {tr("Reads variables, registers (M005) and I/O again and again, one line of JSON with --json."),
-        QStringLiteral("NAME…"), {every, count}};
-    if (const auto end = read(call, parser, help, arguments))
-        return *end;
-    static const QRegularExpression form {QStringLiteral("^(\\d{1,6})(ms|s)$")};
-    const auto match = form.match(parser.value(every));
-    bool isNumber = false;
-    const int readings = parser.value(count).toInt(&isNumber);
-    if (!match.hasMatch() || !isNumber || readings < 0)
-        return mistake(tr("--every takes a time such as 200ms or 1s, --count a whole number."));
-    const std::chrono::milliseconds period {match.captured(1).toInt() * (match.captured(2) == u"s" ? 1000 : 1)};
-    const auto wanted = selections(call, call.words);
-    if (!wanted)
-        return Usage;
-    return run(call, [=](Desk &desk) {
-        auto *timer = new QTimer {&desk};
-        auto left = std::make_shared<int>(readings);
-        auto isReading = std::make_shared<bool>(false);
-        const auto take = [&desk, left, isReading](const Result<QList<NamedValue>> &values) {
-            *isReading = false;
-            if (!values)
-                return desk.fail(values.error());
-            if (!desk.call().isJson)
-                print(QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs));
-            print(desk.call(), *values);
-            if (*left > 0 && --*left == 0)
-                desk.finish(Done);
-        };
-        QObject::connect(timer, &QTimer::timeout, &desk, [&desk, wanted, take, isReading] {
-            if (!std::exchange(*isReading, true))
-                readAll(desk, *wanted, take);
-        });
-        timer->start(period);
-        *isReading = true;
-        readAll(desk, *wanted, take);
-    });
 }
 
 } // namespace pendeskctl

@@ -76,18 +76,34 @@ Archive::Archive(const QString &root, const QString &controller)
 {
 }
 
+/// Those that bear the name of a backup, the newest first.
+QFileInfoList Archive::folders() const
+{
+    QFileInfoList result = QDir {m_folder}.entryInfoList(QDir::Dirs | QDir::NoSymLinks | QDir::NoDotAndDotDot);
+    result.removeIf([](const QFileInfo &folder) { return !timeOf(folder.fileName()).isValid(); });
+    std::ranges::sort(result, std::greater {}, [](const QFileInfo &folder) {
+        const QString id = folder.fileName();
+        return std::tuple {timeOf(id), id.size(), id};
+    });
+    return result;
+}
+
 QList<ArchiveEntry> Archive::entries() const
 {
     QList<ArchiveEntry> result;
     const QStringList pins = pinned();
-    for (const QFileInfo &folder : QDir {m_folder}.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        if (timeOf(folder.fileName()).isValid() && !folder.isSymLink())
-            result << entryOf(folder, pins);
-    }
-    std::ranges::sort(result, [](const ArchiveEntry &a, const ArchiveEntry &b) {
-        return std::tuple {a.taken, a.id.size(), a.id} > std::tuple {b.taken, b.id.size(), b.id};
-    });
+    for (const QFileInfo &folder : folders())
+        result << entryOf(folder, pins);
     return result;
+}
+
+QDateTime Archive::newestComplete() const
+{
+    for (const QFileInfo &folder : folders()) {
+        if (const ArchiveEntry entry = entryOf(folder, {}); entry.isComplete())
+            return entry.taken;
+    }
+    return {};
 }
 
 Result<std::unique_ptr<QLockFile>> Archive::lock() const

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "files/bag.h"
+#include <QFileInfo>
 #include <QLockFile>
 
 namespace files {
@@ -40,6 +41,8 @@ public:
     [[nodiscard]] const QString &folder() const { return m_folder; }
     /// Whole ones alone, the newest first.
     [[nodiscard]] QList<ArchiveEntry> entries() const;
+    /// When the newest one was taken that lacks nothing; invalid if there is none. May run in another thread.
+    [[nodiscard]] QDateTime newestComplete() const;
 
     /// Nobody else writes here while the lock is held. LocalFile if somebody does, or the folder cannot be written. The
     /// lock of a program that was killed does not count.
@@ -54,6 +57,7 @@ public:
     [[nodiscard]] values::Result<QStringList> prune(const Retention &retention, const QDateTime &now) const;
 
 private:
+    [[nodiscard]] QFileInfoList folders() const;
     [[nodiscard]] QStringList pinned() const;
     [[nodiscard]] QString lastGood(const QList<ArchiveEntry> &newestFirst) const;
 

@@ -4,6 +4,7 @@
 
 #include "files/durable.h"
 #include <QCoreApplication>
+#include <QDir>
 #include <QDirIterator>
 
 namespace files {
@@ -18,7 +19,7 @@ struct Texts {
 class Verifier
 {
 public:
-    explicit Verifier(const QString &path) : m_path {path} { }
+    explicit Verifier(const QString &path) : m_path {QDir {path}.absolutePath()} { }
     Verification run();
 
 private:

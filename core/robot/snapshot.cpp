@@ -39,13 +39,7 @@ QString axisText(qint32 word, AxisUnit unit)
 
 QString axesLine(const values::Position &position, const Reading<AxisNames> &names)
 {
-    QStringList parts;
-    for (int axis = 0; axis < position.axes.count(); ++axis) {
-        const QString name = names.value ? latin(names.value->names[std::size_t(axis)].bytes()) : QString {};
-        parts += QStringLiteral("%1 %2").arg(name.isEmpty() ? QString::number(axis + 1) : name,
-            axisText(position.axes[axis], values::axisUnit(position.type, axis)));
-    }
-    return parts.join(QStringLiteral("  "));
+    return axisWords(position, names.value.value_or(AxisNames {})).join(QStringLiteral("  "));
 }
 
 QString jobLine(const values::ExecutingJob &job, const protocol::TextCodec &codec)
@@ -64,6 +58,17 @@ QString systemLine(const values::SystemInformation &system)
 }
 
 } // namespace
+
+QStringList axisWords(const values::Position &position, const AxisNames &names)
+{
+    QStringList words;
+    for (int axis = 0; axis < position.axes.count(); ++axis) {
+        const QString name = latin(names.names[std::size_t(axis)].bytes());
+        words += QStringLiteral("%1 %2").arg(name.isEmpty() ? QString::number(axis + 1) : name,
+            axisText(position.axes[axis], values::axisUnit(position.type, axis)));
+    }
+    return words;
+}
 
 QStringList toLines(const RobotState &state, const protocol::TextCodec &codec)
 {

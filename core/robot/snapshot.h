@@ -9,6 +9,8 @@
 
 namespace robot {
 
+/// "X 1133.926 mm" for each axis; a number in place of a name that is not known.
+[[nodiscard]] QStringList axisWords(const values::Position &position, const values::AxisNames &names);
 /// What was read from a controller, in words for a terminal: "name: value" lines, untranslated; what was not read is
 /// not there.
 [[nodiscard]] QStringList toLines(const RobotState &state, const protocol::TextCodec &codec);

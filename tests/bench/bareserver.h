@@ -100,8 +100,9 @@ public:
 
     [[nodiscard]] unsigned port(int index = 0) const { return m_ports[std::size_t(index)]; }
     [[nodiscard]] long requests() const { return m_requests; }
-    /// What a download of any name returns; set before the first request.
+    /// What a download of any name returns, and a list of jobs; set before the first request.
     std::vector<unsigned char> file;
+    std::vector<unsigned char> list;
 
 private:
     struct Due {
@@ -187,9 +188,10 @@ private:
                 return 0;
             const unsigned next = isAck ? block + 1 : 1;
             const std::size_t from = std::size_t(next - 1) * 479;
-            payload = int(std::min<std::size_t>(479, file.size() - from));
-            std::memcpy(&packet[32], file.data() + from, size_t(payload));
-            replyBlock = next | (from + 479 >= file.size() ? 0x80000000U : 0);
+            const std::vector<unsigned char> &content = contentFor(service, !isAck && packet[34] != 'J');
+            payload = int(std::min<std::size_t>(479, content.size() - from));
+            std::memcpy(&packet[32], content.data() + from, size_t(payload));
+            replyBlock = next | (from + 479 >= content.size() ? 0x80000000U : 0);
         }
         store16(&packet[6], unsigned(payload));
         packet[10] = 1;
@@ -197,6 +199,14 @@ private:
         std::memset(&packet[24], 0, 8);
         packet[24] = static_cast<unsigned char>(service + 0x80);
         return headerSize + payload;
+    }
+
+    const std::vector<unsigned char> &contentFor(unsigned service, bool isOfAnotherType) const
+    {
+        static const std::vector<unsigned char> nothing;
+        if (service != 0x32)
+            return file;
+        return isOfAnotherType ? nothing : list;
     }
 
     static int payloadSize(unsigned command, unsigned count)

@@ -4,6 +4,7 @@
 // Files through the complete client (session, transfer, task, disk) against a bare stop-and-wait loop in C, interleaved
 // in one run on one core. Prints a table; nothing here passes or fails.
 #include "bareserver.h"
+#include "files/backup.h"
 #include "files/task.h"
 #include "session/udptransport.h"
 #include <QCoreApplication>
@@ -51,13 +52,17 @@ void compare(const char *what, double bytes, int rounds, const Work &pendesk, co
 
 /// The client and the bare loop at the same server.
 struct Desk {
-    explicit Desk(std::chrono::microseconds delay, std::size_t size) : server {1, delay}, plain {server.port()}
+    Desk(std::chrono::microseconds delay, std::size_t size, int jobs) : server {1, delay}, plain {server.port()}
     {
         server.file.assign(size, 'x');
+        for (int number = 0; number < jobs; ++number) {
+            const QByteArray line = "JOB" + QByteArray::number(number) + ".JBI\r\n";
+            server.list.insert(server.list.end(), line.begin(), line.end());
+        }
         policy.blockSize = protocol::maxPayloadSize;
     }
 
-    void finish(files::Task &task)
+    void finish(files::Operation &task)
     {
         QEventLoop loop;
         QObject::connect(&task, &files::Operation::finished, &loop, &QEventLoop::quit);
@@ -88,6 +93,17 @@ struct Desk {
         }
     }
 
+    void backUp()
+    {
+        files::BackupOrder order;
+        order.root = folder.path();
+        order.info.controller = QStringLiteral("CELL 4");
+        files::Backup backup {session, order};
+        finish(backup);
+        if (backup.info().failures() > 0)
+            std::printf("a file is missing\n");
+    }
+
     bare::Server server;
     bare::Client plain;
     session::FilePolicy policy;
@@ -104,7 +120,7 @@ void compareAll(std::chrono::microseconds delay, const char *title, int rounds)
     constexpr int jobs = 500;
     std::printf("%s\n", title);
     {
-        Desk desk {delay, large};
+        Desk desk {delay, large, 0};
         compare(
             "1 MiB to disk", large, rounds, [&] { desk.get(1); }, [&] { desk.plain.get(); });
         compare(
@@ -114,13 +130,15 @@ void compareAll(std::chrono::microseconds delay, const char *title, int rounds)
                 desk.plain.get();
             });
     }
-    Desk desk {delay, small};
+    Desk desk {delay, small, jobs};
     const auto bareJobs = [&] {
         for (int number = 0; number < jobs; ++number)
             desk.plain.get();
     };
     compare(
-        "500 jobs of 4 KiB to disk", double(jobs) * small, rounds, [&] { desk.get(jobs); }, bareJobs);
+        "500 jobs of 4 KiB into a backup", double(jobs) * small, rounds, [&] { desk.backUp(); }, bareJobs);
+    compare(
+        "500 jobs of 4 KiB, each flushed to disk", double(jobs) * small, rounds, [&] { desk.get(jobs); }, bareJobs);
 }
 
 } // namespace

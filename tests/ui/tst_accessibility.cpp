@@ -82,7 +82,9 @@ QStringList withoutObjectName(const QWidget &page)
             || qobject_cast<QComboBox *>(widget->parentWidget())
             || qobject_cast<QAbstractSpinBox *>(widget->parentWidget())
             || qobject_cast<QAbstractItemView *>(widget->parentWidget())
-            || qobject_cast<QLineEdit *>(widget->parentWidget()) || qobject_cast<QTabBar *>(widget->parentWidget());
+            || qobject_cast<QLineEdit *>(widget->parentWidget())
+            || widget->parentWidget()->inherits("QComboBoxPrivateContainer")
+            || qobject_cast<QTabBar *>(widget->parentWidget());
         const bool isControl = qobject_cast<const QAbstractButton *>(widget)
             || qobject_cast<const QAbstractItemView *>(widget) || qobject_cast<const QLineEdit *>(widget)
             || qobject_cast<const QComboBox *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget)

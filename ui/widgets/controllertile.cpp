@@ -22,8 +22,8 @@ QFont nameFont()
 
 ControllerTile::ControllerTile(const QString &name, QWidget *parent) : QWidget(parent), m_name {name}
 {
-    setFixedHeight(
-        QFontMetrics(nameFont()).height() + QFontMetrics(ui::font(ui::Type::Label)).height() + 3 * margin / 2 + 4);
+    const int line = QFontMetrics(ui::font(ui::Type::Label)).height();
+    setFixedHeight(QFontMetrics(nameFont()).height() + 2 * line + 3 * margin / 2 + 4);
 }
 
 void ControllerTile::show(const Word &state)
@@ -31,9 +31,24 @@ void ControllerTile::show(const Word &state)
     if (state == m_state)
         return;
     m_state = state;
-    setAccessibleName(tr("%1: %2").arg(m_name, state.text));
-    setToolTip(accessibleName());
+    tellNames();
     update();
+}
+
+void ControllerTile::showBackup(const Word &age)
+{
+    if (age == m_backup)
+        return;
+    m_backup = age;
+    tellNames();
+    update();
+}
+
+void ControllerTile::tellNames()
+{
+    setAccessibleName(m_backup.text.isEmpty() ? tr("%1: %2").arg(m_name, m_state.text)
+                                              : tr("%1: %2. %3").arg(m_name, m_state.text, m_backup.text));
+    setToolTip(accessibleName());
 }
 
 void ControllerTile::paintEvent(QPaintEvent *)
@@ -48,7 +63,9 @@ void ControllerTile::paintEvent(QPaintEvent *)
     const QRect inner = rect().adjusted(margin, margin - 3, -margin, -margin + 3);
     const int side = QFontMetrics(nameFont()).capHeight();
     const QRect upper(inner.left(), inner.top(), inner.width() - side - 8, QFontMetrics(nameFont()).height());
-    const QRect lower(inner.left(), upper.bottom() + 3, inner.width(), inner.bottom() - upper.bottom() - 2);
+    const int labelHeight = QFontMetrics(ui::font(ui::Type::Label)).height();
+    const QRect lower(inner.left(), upper.bottom() + 3, inner.width(), labelHeight);
+    QRect lowest = lower.translated(0, labelHeight);
     const auto write = [&](const QRect &line, const QFont &font, ui::Role role, const QString &words) {
         painter.setFont(font);
         painter.setPen(ui::color(role, scheme));
@@ -57,6 +74,12 @@ void ControllerTile::paintEvent(QPaintEvent *)
     };
     write(upper, nameFont(), ui::Role::Text1, m_name);
     write(lower, ui::font(ui::Type::Label), ui::Role::Text2, m_state.text);
+    if (m_backup.lamp != Lamp::None) {
+        paintLamp(painter, QRectF(lowest.left(), lowest.center().y() - side / 2, side, side), m_backup.lamp, scheme);
+        lowest.setLeft(lowest.left() + side + 5);
+    }
+    write(lowest, ui::font(ui::Type::Label), m_backup.lamp == Lamp::None ? ui::Role::Text2 : roleOf(m_backup.lamp),
+        m_backup.text);
     paintLamp(painter, QRectF(inner.right() - side, upper.center().y() - side / 2, side, side), m_state.lamp, scheme);
 }
 

@@ -92,6 +92,8 @@ private Q_SLOTS:
     void ends();
     void hasNoDangerousVerb();
     void needsNoWidgets();
+    void readsForPeople_data();
+    void readsForPeople();
     void readsInTheFewestPackets();
     void writesOnlyWhenTold();
     void writesWithAVerifiedProfile_data();
@@ -121,7 +123,8 @@ void TestPendeskctl::ends_data()
     row("registers get 0..99", 0);
     row("registers get 0..1000", 2);
     row("registers set 600 1 --yes", 2);
-    row("var get B005 S003 P000..P001", 0);
+    row("var get B005 S003 P000..P001 --numbering 0", 0);
+    row("var get B005 --quiet", 0);
     row("var get X005", 2);
     row("var set B005 77 --yes", 2);
     row("var set B005 256 --yes --numbering 0", 2);
@@ -137,7 +140,8 @@ void TestPendeskctl::ends_data()
     row("backup /proc/none", 5);
     row("compare DIR/none", 5);
     row("restore DIR/none --yes", 5);
-    row("watch --count 1 B000", 0);
+    row("watch --count 1 B000 --numbering 0", 0);
+    row("files get NONE*.JBI --to DIR", 7);
     row("watch --every soon B000", 2);
     row("info --unknown", 2);
 }
@@ -171,6 +175,32 @@ void TestPendeskctl::needsNoWidgets()
     const QByteArray libraries = ldd.readAllStandardOutput();
     QVERIFY(
         libraries.contains("libQt6Core") && !libraries.contains("libQt6Gui") && !libraries.contains("libQt6Widgets"));
+}
+
+void TestPendeskctl::readsForPeople_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QByteArray>("out"); // a part of it
+    QTest::addColumn<QByteArray>("err"); // a part of it
+    QTest::addRow("unit") << QStringLiteral("position") << QByteArray(" mm\n") << QByteArray();
+    QTest::addRow("axis") << QStringLiteral("position --pulse") << QByteArray("S ") << QByteArray();
+    QTest::addRow("unverified numbering")
+        << QStringLiteral("var get B005") << QByteArray("B005  ") << QByteArray("RS022");
+    QTest::addRow("failed file") << QStringLiteral("files get NONE.JBI --to DIR") << QByteArray("NONE.JBI  failed")
+                                 << QByteArray("NONE.JBI: 0xE2B3");
+    QTest::addRow("help") << QStringLiteral("files --help") << QByteArray("[options] ls [PATTERN] | get NAME")
+                          << QByteArray();
+}
+
+void TestPendeskctl::readsForPeople()
+{
+    QFETCH(QString, line);
+    QFETCH(QByteArray, out);
+    QFETCH(QByteArray, err);
+    Terminal terminal;
+    const Ended ended = terminal.run(line);
+    QVERIFY2(ended.out.contains(out), ended.out);
+    QVERIFY2(ended.err.contains(err), ended.err);
 }
 
 void TestPendeskctl::readsInTheFewestPackets()

@@ -134,6 +134,8 @@ private Q_SLOTS:
     void goesWhenItIsNotSealed();
     void findsFaults_data();
     void findsFaults();
+    void verifiesByAnyPath_data();
+    void verifiesByAnyPath();
     void findsEveryBit();
     void withholdsSpoiltContent();
     void readsManifests_data();
@@ -226,6 +228,28 @@ void TestBag::findsFaults()
     const auto faults = verify(bag).faults;
     QVERIFY(faults.contains(BagFault {cases[index].kind, QString::fromLatin1(cases[index].path)}));
     QVERIFY(!explain(faults.first()).isEmpty());
+}
+
+void TestBag::verifiesByAnyPath_data()
+{
+    QTest::addColumn<QString>("path"); // from the folder that holds the bag
+    QTest::addRow("relative") << QStringLiteral("2026-01-12T083000Z");
+    QTest::addRow("with a dot") << QStringLiteral("./2026-01-12T083000Z");
+    QTest::addRow("with a slash") << QStringLiteral("2026-01-12T083000Z/");
+    QTest::addRow("by a detour") << QStringLiteral("2026-01-12T083000Z/data/..");
+}
+
+void TestBag::verifiesByAnyPath()
+{
+    QFETCH(QString, path);
+    const QTemporaryDir folder;
+    QVERIFY(!makeBag(folder.path()).isEmpty());
+    const QString before = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(folder.path()));
+    const Verification found = verify(path);
+    QVERIFY(QDir::setCurrent(before));
+    QVERIFY(found.isGood());
+    QCOMPARE(found.files, 4);
 }
 
 void TestBag::findsEveryBit()

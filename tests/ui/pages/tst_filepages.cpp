@@ -80,7 +80,7 @@ bool choose(QListWidget *list, const QString &text)
 template <typename Dialog> Dialog *waitForDialog(QWidget *page, const char *name)
 {
     Dialog *dialog = nullptr;
-    (void)QTest::qWaitFor([&] { return (dialog = find<Dialog>(page, name)) && dialog->isVisible(); });
+    (void)QTest::qWaitFor([&] { return (dialog = find<Dialog>(page, name)) && dialog->isActiveWindow(); });
     return dialog;
 }
 
@@ -247,7 +247,9 @@ void TestFilePages::restores()
     desk.picture(dialog, "restoreplan");
     QSignalSpy recorded {&desk.window.view().orders(), &robot::Orders::recorded};
     QTest::mouseClick(find<QPushButton>(dialog, "startRestore"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>(dialog, "restoreState")->text().contains(QStringLiteral("2 file")), 20000);
+    const auto *state = find<QLabel>(dialog, "restoreState");
+    (void)QTest::qWaitFor([state] { return state->text().contains(QStringLiteral("2 file")); }, 20000);
+    QVERIFY2(state->text().contains(QStringLiteral("2 file")), qPrintable(state->text()));
     QCOMPARE(desk.remote()["WELD_A12.JBI"], weld);
     QVERIFY(desk.remote().contains("TOOL.CND"));
     QTRY_COMPARE(recorded.size(), 2);

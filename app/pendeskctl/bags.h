@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "desk.h"
+#include "files/backup.h"
+
+/// What the verbs about backups share.
+namespace pendeskctl {
+
+/// A path as it was typed, without the slash that a shell completes.
+[[nodiscard]] QString bagAt(const QString &path);
+
+/// Complains about a backup that cannot be read; the exit code.
+[[nodiscard]] ExitCode complainAbout(const values::Error &error);
+
+/// What a backup into `root` is to be. What the controller says of itself goes into it; without an answer it is made
+/// all the same.
+void withOrder(Desk &desk, const QString &root, const std::function<void(const files::BackupOrder &)> &handler);
+
+/// Reads the controller into memory, then goes on. Ends the program if it cannot.
+void snapshot(
+    Desk &desk, const std::function<void(const files::FileSet &)> &handler, files::Collection::Filter filter = {});
+
+} // namespace pendeskctl

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "bags.h"
+#include "files/restore.h"
+#include "verbs.h"
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonObject>
+
+using values::FileName;
+
+namespace pendeskctl {
+
+namespace {
+
+const char *word(files::RestoreStep step)
+{
+    switch (step) {
+    case files::RestoreStep::New: return "new";
+    case files::RestoreStep::Changed: return "changed";
+    case files::RestoreStep::Same: return "same";
+    case files::RestoreStep::NotAllowed: return "not allowed";
+    }
+    return "";
+}
+
+void printPlan(const Desk &desk, const QList<files::RestoreItem> &plan)
+{
+    QJsonArray json;
+    for (const files::RestoreItem &item : plan) {
+        const QString name = desk.codec().decode(item.name.bytes());
+        const QString step = QString::fromLatin1(word(item.step));
+        json << QJsonObject {
+            {QStringLiteral("name"), name}, {QStringLiteral("step"), step}, {QStringLiteral("reason"), item.reason}};
+        if (!desk.call().isJson && item.step != files::RestoreStep::Same)
+            print(QStringLiteral("%1  %2  %3").arg(step, -11).arg(name, item.reason).trimmed());
+    }
+    if (desk.call().isJson)
+        print(QJsonValue {json});
+}
+
+void restore(
+    Desk &desk, const files::FileSet &bag, const QList<files::RestoreItem> &plan, const files::BackupOrder &order)
+{
+    auto *restore = new files::Restore {desk.files(), bag, plan, order, desk.guard(), &desk};
+    QObject::connect(restore, &files::Operation::progressed, &desk, [&desk, restore] {
+        const auto current = restore->current();
+        showProgress(desk.call(),
+            current ? QStringLiteral("%1/%2  %3")
+                          .arg(restore->filesDone())
+                          .arg(restore->filesTotal())
+                          .arg(desk.codec().decode(current->bytes()))
+                    : QStringLiteral("fresh backup  %1/%2")
+                          .arg(restore->backup().filesDone())
+                          .arg(restore->backup().filesTotal()));
+    });
+    QObject::connect(restore, &files::Operation::finished, &desk, [&desk, restore, plan] {
+        if (!restore->error()) {
+            const bool isPart =
+                std::ranges::any_of(plan, [](const auto &item) { return item.step == files::RestoreStep::NotAllowed; });
+            if (!desk.call().isQuiet)
+                complain(tr("Files restored: %1. The fresh backup is %2.")
+                             .arg(restore->filesDone())
+                             .arg(restore->backup().path()));
+            return desk.finish(isPart ? Partial : Done);
+        }
+        desk.complainOf(*restore->error());
+        if (restore->canPutBack())
+            complain(tr("It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.")
+                         .arg(desk.codec().decode(restore->current()->bytes()), restore->backup().path()));
+        const bool isDifferent = restore->error()->kind == values::ErrorKind::Malformed;
+        desk.finish(isDifferent ? VerificationFailed : exitCodeOf(*restore->error()));
+    });
+    restore->start();
+}
+
+/// The root of the archive in which the bag lies: two folders up.
+QString rootOf(const QString &bag)
+{
+    return QFileInfo {QFileInfo {QFileInfo {bag}.absoluteFilePath()}.absolutePath()}.absolutePath();
+}
+
+} // namespace
+
+int runRestore(const QStringList &arguments)
+{
+    Call call;
+    QCommandLineParser parser;
+    const QCommandLineOption dryRun {QStringLiteral("dry-run"), tr("Only print what would be done.")};
+    const VerbHelp help {
+        tr("Sends back what differs from a backup: first a fresh backup beside it, then file by file, each "
+           "read back. Stops at the first error; never while a job runs."),
+        QStringLiteral("BAG [NAME…]"), {dryRun}};
+    if (const auto end = read(call, parser, help, arguments))
+        return *end;
+    if (call.words.isEmpty())
+        return mistake(tr("Say the backup."));
+    const QString path = bagAt(call.words[0]);
+    const auto bag = files::Bag::open(path);
+    if (!bag)
+        return complainAbout(bag.error());
+    if (!files::verify(path).isGood()) {
+        complain(tr("The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it."));
+        return VerificationFailed;
+    }
+    QList<FileName> names;
+    for (const QString &text : call.words.sliced(1)) {
+        const auto name = protocol::TextCodec {call.profile.encoding}.encode(text).and_then(
+            [](const QByteArray &bytes) { return FileName::create(bytes); });
+        if (!name)
+            return mistake(tr("“%1” is no file name.").arg(text));
+        names << *name;
+    }
+    const bool isDry = parser.isSet(dryRun);
+    if (const auto end = isDry ? std::nullopt : requireYes(call))
+        return *end;
+    return run(call, [=](Desk &desk) {
+        const auto isWanted = [names, set = bag->files()](const FileName &name) {
+            return names.isEmpty() ? set.hashes.contains(name) : names.contains(name);
+        };
+        snapshot(
+            desk,
+            [&desk, bag, names, isDry, path](const files::FileSet &controller) {
+                const auto plan = planRestore(bag->files(), controller, names);
+                printPlan(desk, plan);
+                const bool sends = std::ranges::any_of(plan, &files::RestoreItem::isSent);
+                const bool isBlocked = std::ranges::any_of(
+                    plan, [](const auto &item) { return item.step == files::RestoreStep::NotAllowed; });
+                if (isDry || !sends)
+                    return desk.finish(isDry && sends ? Differences : isBlocked ? Partial : Done);
+                withOrder(desk, rootOf(path),
+                    [&desk, bag, plan](const files::BackupOrder &order) { restore(desk, bag->files(), plan, order); });
+            },
+            isWanted);
+    });
+}
+
+} // namespace pendeskctl

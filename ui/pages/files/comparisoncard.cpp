@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pages/files/comparisoncard.h"
+
+#include "ui/pages/files/parts.h"
+#include "ui/widgets/diffview.h"
+#include <QCheckBox>
+#include <QTreeWidget>
+
+using files::Change;
+using values::FileName;
+
+namespace pages {
+
+namespace {
+
+constexpr int nameRole = Qt::UserRole;
+
+/// Empty for what is not shown.
+QString changeWord(Change change)
+{
+    switch (change) {
+    case Change::Changed: return ComparisonCard::tr("≠ changed");
+    case Change::New: return ComparisonCard::tr("+ new");
+    case Change::Gone: return ComparisonCard::tr("− gone");
+    case Change::Unread: return ComparisonCard::tr("▲ not read, nobody knows");
+    case Change::Same:
+    case Change::OnlyNoise: break;
+    }
+    return {};
+}
+
+} // namespace
+
+ComparisonCard::ComparisonCard(const protocol::TextCodec &codec, QWidget *parent)
+    : Card(tr("Comparison"), parent),
+      m_codec {codec},
+      m_tools {new QHBoxLayout},
+      m_files {new QTreeWidget},
+      m_diff {new widgets::DiffView(codec)}
+{
+    dressTable(m_files, {tr("File"), tr("Change")}, "changedFiles", tr("Files that differ"));
+    m_files->setColumnWidth(0, 260);
+    body()->addLayout(m_tools);
+    body()->addLayout(noiseRules());
+    body()->addWidget(m_files, 2);
+    body()->addWidget(m_diff, 3);
+    m_diff->showSentence(tr("Choose a backup and compare it."));
+    connect(m_files, &QTreeWidget::currentItemChanged, this, &ComparisonCard::showFile);
+}
+
+QLayout *ComparisonCard::noiseRules()
+{
+    auto *grid = new QGridLayout;
+    grid->addWidget(widgets::text(tr("Not counted as a difference:"), ui::Type::Label, ui::Role::Text2), 0, 0, 1, 2);
+    for (const files::NoiseRule &rule : files::noiseRules()) {
+        auto *box = new QCheckBox(title(rule));
+        box->setObjectName(QLatin1String("noise-") + QLatin1String(rule.key));
+        box->setProperty("rule", QLatin1String(rule.key));
+        box->setChecked(true);
+        connect(box, &QCheckBox::toggled, this, [this] { showSets(m_older, m_newer); });
+        grid->addWidget(box, 1 + int(m_noise.size()) / 2, int(m_noise.size()) % 2);
+        m_noise << box;
+    }
+    return grid;
+}
+
+files::NoiseFilter ComparisonCard::noise() const
+{
+    QSet<QString> keys;
+    for (const QCheckBox *box : m_noise) {
+        if (box->isChecked())
+            keys << box->property("rule").toString();
+    }
+    return files::NoiseFilter {keys};
+}
+
+void ComparisonCard::showSentence(const QString &sentence) { m_diff->showSentence(sentence); }
+
+void ComparisonCard::showSets(const files::FileSet &older, const files::FileSet &newer)
+{
+    m_older = older;
+    m_newer = newer;
+    m_files->clear();
+    if (!older.content || !newer.content)
+        return;
+    for (const files::FileChange &change : compare(older, newer, noise())) {
+        const QString word = changeWord(change.change);
+        if (word.isEmpty())
+            continue;
+        auto *item = new QTreeWidgetItem({m_codec.decode(change.name.bytes()), word});
+        item->setData(0, nameRole, change.name.bytes());
+        m_files->addTopLevelItem(item);
+    }
+    const int found = m_files->topLevelItemCount();
+    setNote(tr("%n file(s) differ", nullptr, found));
+    m_diff->showSentence(found > 0 ? tr("Choose a file above.") : tr("Nothing differs."));
+    if (found > 0)
+        m_files->setCurrentItem(m_files->topLevelItem(0));
+}
+
+void ComparisonCard::showFile()
+{
+    const auto *item = m_files->currentItem();
+    const auto name = FileName::create(item ? item->data(0, nameRole).toByteArray() : QByteArray());
+    if (!name)
+        return;
+    const bool isInBoth = m_older.hashes.contains(*name) && m_newer.hashes.contains(*name);
+    const auto older = m_older.content(*name);
+    const auto newer = m_newer.content(*name);
+    if (isInBoth && (!older || !newer))
+        return m_diff->showSentence(tr("This file is not in the backup as it was written."));
+    m_diff->showFiles(older.value_or(QByteArray()), newer.value_or(QByteArray()), noise());
+}
+
+} // namespace pages

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/pages/files/remotefile.h"
+
+#include "protocol/codes.h"
+#include "session/filesession.h"
+#include <QMessageBox>
+
+using values::FileName;
+using values::Result;
+
+namespace pages {
+
+namespace {
+
+void tell(const QString &title, const QString &text, QWidget *window)
+{
+    auto *box = new QMessageBox(QMessageBox::Information, title, text, QMessageBox::Close, window);
+    box->setObjectName(QStringLiteral("fileMessage"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+} // namespace
+
+QString text(const Context &context, const FileName &name)
+{
+    return protocol::TextCodec {context.profile.encoding}.decode(name.bytes());
+}
+
+void readRemote(const Context &context, const FileName &name, QWidget *window,
+    const std::function<void(const QByteArray &)> &handler)
+{
+    session::FileSession *session = context.controller.files();
+    if (!session)
+        return;
+    session->save(name, window, [title = text(context, name), window, handler](const Result<QByteArray> &content) {
+        if (content)
+            handler(*content);
+        else
+            tell(title, protocol::explain(content.error()), window);
+    });
+}
+
+} // namespace pages

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "files/archive.h"
+#include <QFutureWatcher>
+#include <QTreeWidget>
+
+namespace pages {
+
+/// The backups of a controller, newest first, and in how many files each differs from the one before.
+class Timeline : public QTreeWidget
+{
+    Q_OBJECT
+
+public:
+    explicit Timeline(QWidget *parent = nullptr);
+
+    /// Rows are changed in place, so that the chosen one stays. What changed is counted in the background.
+    void showEntries(const QList<files::ArchiveEntry> &entries);
+    [[nodiscard]] const QList<files::ArchiveEntry> &entries() const { return m_entries; }
+    /// -1 if none is chosen.
+    [[nodiscard]] int chosenRow() const;
+    [[nodiscard]] std::optional<files::ArchiveEntry> chosen() const;
+
+private:
+    void showRows();
+
+    QList<files::ArchiveEntry> m_entries; ///< As the rows.
+    QHash<QString, int> m_changes; ///< By id: files that differ from the backup before.
+    QFutureWatcher<QHash<QString, int>> m_counting;
+};
+
+} // namespace pages
