@@ -2612,22 +2612,6 @@
     <context>
         <name>pages::BackupPage</name>
         <message>
-            <source>Taken</source>
-            <translation>Angelegt</translation>
-        </message>
-        <message>
-            <source>Files</source>
-            <translation>Dateien</translation>
-        </message>
-        <message>
-            <source>Changed</source>
-            <translation>Geändert</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>Zustand</translation>
-        </message>
-        <message>
             <source>Backups</source>
             <translation>Sicherungen</translation>
         </message>
@@ -2663,18 +2647,6 @@
             <source>Compare</source>
             <translation>Vergleichen</translation>
         </message>
-        <message>
-            <source>File</source>
-            <translation>Datei</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>Änderung</translation>
-        </message>
-        <message>
-            <source>Files that differ</source>
-            <translation>Abweichende Dateien</translation>
-        </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
             <translation>
@@ -2693,10 +2665,6 @@
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
             <translation>Die letzte gute Sicherung und angeheftete werden nie gelöscht.</translation>
-        </message>
-        <message>
-            <source>Comparison</source>
-            <translation>Vergleich</translation>
         </message>
         <message>
             <source>Compare with</source>
@@ -2719,35 +2687,8 @@
             <translation>Zurückspielen…</translation>
         </message>
         <message>
-            <source>Not counted as a difference:</source>
-            <translation>Zählt nicht als Unterschied:</translation>
-        </message>
-        <message>
-            <source>Choose a backup and compare it.</source>
-            <translation>Wählen Sie eine Sicherung, und vergleichen Sie sie.</translation>
-        </message>
-        <message>
             <source>In %1</source>
             <translation>In %1</translation>
-        </message>
-        <message>
-            <source>▲ no backup any more</source>
-            <translation>▲ keine Sicherung mehr</translation>
-        </message>
-        <message numerus="yes">
-            <source>▲ %n file(s) missing</source>
-            <translation>
-                <numerusform>▲ %n Datei fehlt</numerusform>
-                <numerusform>▲ %n Dateien fehlen</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>complete</source>
-            <translation>vollständig</translation>
-        </message>
-        <message>
-            <source>%1, pinned</source>
-            <translation>%1, angeheftet</translation>
         </message>
         <message>
             <source>Unpin</source>
@@ -2797,39 +2738,12 @@
             <translation>Die Dateien der Steuerung wurden gelesen.</translation>
         </message>
         <message>
-            <source>≠ changed</source>
-            <translation>≠ geändert</translation>
+            <source>Folder…</source>
+            <translation>Ordner…</translation>
         </message>
         <message>
-            <source>+ new</source>
-            <translation>+ neu</translation>
-        </message>
-        <message>
-            <source>− gone</source>
-            <translation>− weg</translation>
-        </message>
-        <message>
-            <source>▲ not read, nobody knows</source>
-            <translation>▲ nicht gelesen, nicht bekannt</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) differ</source>
-            <translation>
-                <numerusform>%n Datei weicht ab</numerusform>
-                <numerusform>%n Dateien weichen ab</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Choose a file above.</source>
-            <translation>Wählen Sie oben eine Datei.</translation>
-        </message>
-        <message>
-            <source>Nothing differs.</source>
-            <translation>Nichts weicht ab.</translation>
-        </message>
-        <message>
-            <source>This file is not in the backup as it was written.</source>
-            <translation>Diese Datei ist in der Sicherung nicht so, wie sie geschrieben wurde.</translation>
+            <source>Folder of the backups</source>
+            <translation>Ordner der Sicherungen</translation>
         </message>
     </context>
     <context>
@@ -2873,6 +2787,68 @@
         <message>
             <source>%1, base frame, tool %2</source>
             <translation>%1, Basis, Werkzeug %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ComparisonCard</name>
+        <message>
+            <source>≠ changed</source>
+            <translation>≠ geändert</translation>
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation>+ neu</translation>
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation>− weg</translation>
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation>▲ nicht gelesen, nicht bekannt</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>Vergleich</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Datei</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Änderung</translation>
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation>Abweichende Dateien</translation>
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation>Wählen Sie eine Sicherung, und vergleichen Sie sie.</translation>
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation>Zählt nicht als Unterschied:</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation>
+                <numerusform>%n Datei weicht ab</numerusform>
+                <numerusform>%n Dateien weichen ab</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation>Wählen Sie oben eine Datei.</translation>
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation>Nichts weicht ab.</translation>
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation>Diese Datei ist in der Sicherung nicht so, wie sie geschrieben wurde.</translation>
         </message>
     </context>
     <context>
@@ -2955,22 +2931,6 @@
             <translation>Löschen…</translation>
         </message>
         <message>
-            <source>Transfers</source>
-            <translation>Übertragungen</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
-            <source>Retry failed</source>
-            <translation>Fehlgeschlagene wiederholen</translation>
-        </message>
-        <message>
-            <source>Clear finished</source>
-            <translation>Fertige entfernen</translation>
-        </message>
-        <message>
             <source>There are no controller files in this folder.</source>
             <translation>In diesem Ordner sind keine Dateien für Steuerungen.</translation>
         </message>
@@ -2989,56 +2949,6 @@
         <message>
             <source>Choose files on the right first.</source>
             <translation>Wählen Sie zuerst rechts Dateien.</translation>
-        </message>
-        <message>
-            <source>Before sending</source>
-            <translation>Vor dem Senden</translation>
-        </message>
-        <message numerus="yes">
-            <source>Send %n file(s)</source>
-            <translation>
-                <numerusform>%n Datei senden</numerusform>
-                <numerusform>%n Dateien senden</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>on this computer</source>
-            <translation>auf diesem Rechner</translation>
-        </message>
-        <message>
-            <source>on %1</source>
-            <translation>auf %1</translation>
-        </message>
-        <message>
-            <source>What would change in “%1”</source>
-            <translation>Was sich in „%1“ ändern würde</translation>
-        </message>
-        <message>
-            <source>Delete on %1</source>
-            <translation>Auf %1 löschen</translation>
-        </message>
-        <message>
-            <source>These files are deleted on %1:
-%2
-Before that each is copied to %3.</source>
-            <translation>Diese Dateien werden auf %1 gelöscht:
-%2
-Vorher wird jede nach %3 kopiert.</translation>
-        </message>
-        <message numerus="yes">
-            <source>Delete %n file(s)</source>
-            <translation>
-                <numerusform>%n Datei löschen</numerusform>
-                <numerusform>%n Dateien löschen</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>What changes in “%1” on %2</source>
-            <translation>Was sich in „%1“ auf %2 ändert</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>Senden</translation>
         </message>
     </context>
     <context>
@@ -3864,6 +3774,32 @@ Vorher wird jede nach %3 kopiert.</translation>
         </message>
     </context>
     <context>
+        <name>pages::Offers</name>
+        <message>
+            <source>Before sending</source>
+            <translation>Vor dem Senden</translation>
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation>
+                <numerusform>%n Datei senden</numerusform>
+                <numerusform>%n Dateien senden</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation>auf diesem Rechner</translation>
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation>auf %1</translation>
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation>Was sich in „%1“ ändern würde</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::OptionsCard</name>
         <message>
             <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
@@ -3975,6 +3911,25 @@ Vorher wird jede nach %3 kopiert.</translation>
         </message>
     </context>
     <context>
+        <name>pages::QueueCard</name>
+        <message>
+            <source>Transfers</source>
+            <translation>Übertragungen</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation>Fehlgeschlagene wiederholen</translation>
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation>Fertige entfernen</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::RegistersPage</name>
         <message>
             <source>How registers are written</source>
@@ -3999,6 +3954,36 @@ Vorher wird jede nach %3 kopiert.</translation>
         <message>
             <source>M000 to M559 can be written; the others belong to the ladder.</source>
             <translation>M000 bis M559 lassen sich schreiben; die übrigen gehören dem Kontaktplan (Ladder).</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::RemoteChanges</name>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation>Was sich in „%1“ auf %2 ändert</translation>
+        </message>
+        <message>
+            <source>Send</source>
+            <translation>Senden</translation>
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation>Auf %1 löschen</translation>
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation>Diese Dateien werden auf %1 gelöscht:
+%2
+Vorher wird jede nach %3 kopiert.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation>
+                <numerusform>%n Datei löschen</numerusform>
+                <numerusform>%n Dateien löschen</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -4183,6 +4168,48 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <message>
             <source>%1 · %2</source>
             <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::Timeline</name>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation>▲ keine Sicherung mehr</translation>
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation>
+                <numerusform>▲ %n Datei fehlt</numerusform>
+                <numerusform>▲ %n Dateien fehlen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation>vollständig</translation>
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation>%1, angeheftet</translation>
+        </message>
+        <message>
+            <source>Taken</source>
+            <translation>Angelegt</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Dateien</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Geändert</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation>Sicherungen</translation>
         </message>
     </context>
     <context>
@@ -4400,6 +4427,11 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <source>Variables</source>
             <translation>Variablen</translation>
         </message>
+        <message>
+            <source>%1 stays as it is: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1 bleibt, wie es ist: %2</translation>
+        </message>
     </context>
     <context>
         <name>pages::VariableTransfer</name>
@@ -4599,10 +4631,6 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
     <context>
         <name>pendeskctl</name>
         <message>
-            <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation>%1 Dateien wurden zurückgespielt. Die frische Sicherung ist %2.</translation>
-        </message>
-        <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
             <translation>Angehalten bei %1. Der vorherige Stand liegt in %2; „restore“ von dort mit diesem Namen stellt ihn wieder her.</translation>
         </message>
@@ -4717,10 +4745,6 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <message>
             <source>put: replace what the controller has.</source>
             <translation>put: ersetzen, was die Steuerung hat.</translation>
-        </message>
-        <message>
-            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation>Listet, liest, sendet und löscht Dateien. Gesendete Dateien werden zurückgelesen; bevor eine Datei gelöscht wird, wird hier eine Kopie geschrieben.</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
@@ -4921,6 +4945,44 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <message>
             <source>Reads status, executing job, position and system information once.</source>
             <translation>Liest Status, laufenden Job, Position und Systeminformationen einmal.</translation>
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need --yes.</source>
+            <translation>Listet, liest, sendet und löscht Dateien. Gesendete Dateien werden zurückgelesen; bevor eine Datei gelöscht wird, wird hier eine Kopie geschrieben. Vorhandenes wird von get mit --yes und von put mit --replace ersetzt; put und rm brauchen --yes.</translation>
+        </message>
+        <message>
+            <source>The controller lists no file that “%1” matches.</source>
+            <translation>Die Steuerung listet keine Datei, auf die „%1“ passt.</translation>
+        </message>
+        <message>
+            <source>The controller is named with --host H, or with --profile NAME as Pendesk keeps it.</source>
+            <translation>Die Steuerung wird mit --host H genannt, oder mit --profile NAME, wie Pendesk sie führt.</translation>
+        </message>
+        <message>
+            <source>What changes something does nothing without --yes.</source>
+            <translation>Was etwas ändert, tut ohne --yes nichts.</translation>
+        </message>
+        <message>
+            <source>Exit codes: 0 done, 1 differences, 2 wrong call, 3 no answer or outcome unknown, 4 refused,
+5 local file error, 6 verification failed, 7 done in part.</source>
+            <translation>Rückgabewerte: 0 erledigt, 1 Unterschiede, 2 falscher Aufruf, 3 keine Antwort oder Ausgang unbekannt, 4 abgelehnt,
+5 lokaler Dateifehler, 6 Prüfung nicht bestanden, 7 teilweise erledigt.</translation>
+        </message>
+        <message>
+            <source>Nobody has verified how this controller numbers its variables (parameter RS022), so these may be their neighbours. --numbering 0 or --numbering 1 settles it.</source>
+            <translation>Niemand hat geprüft, wie diese Steuerung ihre Variablen nummeriert (Parameter RS022); dies können also die Nachbarn sein. --numbering 0 oder --numbering 1 legt es fest.</translation>
+        </message>
+        <message>
+            <source>Print this and end.</source>
+            <translation>Dies ausgeben und enden.</translation>
+        </message>
+        <message>
+            <source>Files restored: %1. The fresh backup is %2.</source>
+            <translation>Wiederhergestellte Dateien: %1. Die frische Sicherung ist %2.</translation>
+        </message>
+        <message>
+            <source>The software of the controller is another than that with which the numbering was verified. Verify it again, or say --numbering 0 or --numbering 1.</source>
+            <translation>Die Software der Steuerung ist eine andere als die, mit der die Nummerierung geprüft wurde. Prüfen Sie sie erneut, oder geben Sie --numbering 0 oder --numbering 1 an.</translation>
         </message>
     </context>
     <context>
@@ -6183,6 +6245,34 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
     </context>
     <context>
+        <name>ui::BackupAge</name>
+        <message>
+            <source>No backup</source>
+            <translation>Keine Sicherung</translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n hour(s) old</source>
+            <translation>
+                <numerusform>Sicherung %n Stunde alt</numerusform>
+                <numerusform>Sicherung %n Stunden alt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n day(s) old</source>
+            <translation>
+                <numerusform>Sicherung %n Tag alt</numerusform>
+                <numerusform>Sicherung %n Tage alt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Old backup: %n day(s)</source>
+            <translation>
+                <numerusform>Alte Sicherung: %n Tag</numerusform>
+                <numerusform>Alte Sicherung: %n Tage</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ControllerView</name>
         <message>
             <source>%1 — %2</source>
@@ -6787,6 +6877,10 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: %2. %3</source>
+            <translation>%1: %2. %3</translation>
         </message>
     </context>
     <context>

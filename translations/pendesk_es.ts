@@ -2612,22 +2612,6 @@
     <context>
         <name>pages::BackupPage</name>
         <message>
-            <source>Taken</source>
-            <translation>Realizada</translation>
-        </message>
-        <message>
-            <source>Files</source>
-            <translation>Archivos</translation>
-        </message>
-        <message>
-            <source>Changed</source>
-            <translation>Modificado</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>Estado</translation>
-        </message>
-        <message>
             <source>Backups</source>
             <translation>Copias de seguridad</translation>
         </message>
@@ -2663,18 +2647,6 @@
             <source>Compare</source>
             <translation>Comparar</translation>
         </message>
-        <message>
-            <source>File</source>
-            <translation>Archivo</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>Cambio</translation>
-        </message>
-        <message>
-            <source>Files that differ</source>
-            <translation>Archivos diferentes</translation>
-        </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
             <translation>
@@ -2693,10 +2665,6 @@
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
             <translation>La última copia de seguridad correcta y las fijadas no se borran nunca.</translation>
-        </message>
-        <message>
-            <source>Comparison</source>
-            <translation>Comparación</translation>
         </message>
         <message>
             <source>Compare with</source>
@@ -2719,35 +2687,8 @@
             <translation>Restaurar…</translation>
         </message>
         <message>
-            <source>Not counted as a difference:</source>
-            <translation>No se cuenta como diferencia:</translation>
-        </message>
-        <message>
-            <source>Choose a backup and compare it.</source>
-            <translation>Seleccione una copia de seguridad y compárela.</translation>
-        </message>
-        <message>
             <source>In %1</source>
             <translation>En %1</translation>
-        </message>
-        <message>
-            <source>▲ no backup any more</source>
-            <translation>▲ ya no es una copia de seguridad</translation>
-        </message>
-        <message numerus="yes">
-            <source>▲ %n file(s) missing</source>
-            <translation>
-                <numerusform>▲ falta %n archivo</numerusform>
-                <numerusform>▲ faltan %n archivos</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>complete</source>
-            <translation>completa</translation>
-        </message>
-        <message>
-            <source>%1, pinned</source>
-            <translation>%1, fijada</translation>
         </message>
         <message>
             <source>Unpin</source>
@@ -2797,39 +2738,12 @@
             <translation>Se leyeron los archivos del controlador.</translation>
         </message>
         <message>
-            <source>≠ changed</source>
-            <translation>≠ modificado</translation>
+            <source>Folder…</source>
+            <translation>Carpeta…</translation>
         </message>
         <message>
-            <source>+ new</source>
-            <translation>+ nuevo</translation>
-        </message>
-        <message>
-            <source>− gone</source>
-            <translation>− eliminado</translation>
-        </message>
-        <message>
-            <source>▲ not read, nobody knows</source>
-            <translation>▲ no leído, no se sabe</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) differ</source>
-            <translation>
-                <numerusform>%n archivo diferente</numerusform>
-                <numerusform>%n archivos diferentes</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Choose a file above.</source>
-            <translation>Seleccione arriba un archivo.</translation>
-        </message>
-        <message>
-            <source>Nothing differs.</source>
-            <translation>No hay diferencias.</translation>
-        </message>
-        <message>
-            <source>This file is not in the backup as it was written.</source>
-            <translation>Este archivo no está en la copia de seguridad tal como se escribió.</translation>
+            <source>Folder of the backups</source>
+            <translation>Carpeta de las copias de seguridad</translation>
         </message>
     </context>
     <context>
@@ -2873,6 +2787,68 @@
         <message>
             <source>%1, base frame, tool %2</source>
             <translation>%1, sistema de coordenadas base, herramienta %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ComparisonCard</name>
+        <message>
+            <source>≠ changed</source>
+            <translation>≠ modificado</translation>
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation>+ nuevo</translation>
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation>− eliminado</translation>
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation>▲ no leído, no se sabe</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>Comparación</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Archivo</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Cambio</translation>
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation>Archivos diferentes</translation>
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation>Seleccione una copia de seguridad y compárela.</translation>
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation>No se cuenta como diferencia:</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation>
+                <numerusform>%n archivo diferente</numerusform>
+                <numerusform>%n archivos diferentes</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation>Seleccione arriba un archivo.</translation>
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation>No hay diferencias.</translation>
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation>Este archivo no está en la copia de seguridad tal como se escribió.</translation>
         </message>
     </context>
     <context>
@@ -2955,22 +2931,6 @@
             <translation>Borrar…</translation>
         </message>
         <message>
-            <source>Transfers</source>
-            <translation>Transferencias</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Cancelar</translation>
-        </message>
-        <message>
-            <source>Retry failed</source>
-            <translation>Reintentar fallidas</translation>
-        </message>
-        <message>
-            <source>Clear finished</source>
-            <translation>Quitar terminadas</translation>
-        </message>
-        <message>
             <source>There are no controller files in this folder.</source>
             <translation>No hay archivos de controlador en esta carpeta.</translation>
         </message>
@@ -2989,56 +2949,6 @@
         <message>
             <source>Choose files on the right first.</source>
             <translation>Seleccione primero archivos a la derecha.</translation>
-        </message>
-        <message>
-            <source>Before sending</source>
-            <translation>Antes de enviar</translation>
-        </message>
-        <message numerus="yes">
-            <source>Send %n file(s)</source>
-            <translation>
-                <numerusform>Enviar %n archivo</numerusform>
-                <numerusform>Enviar %n archivos</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>on this computer</source>
-            <translation>en este equipo</translation>
-        </message>
-        <message>
-            <source>on %1</source>
-            <translation>en %1</translation>
-        </message>
-        <message>
-            <source>What would change in “%1”</source>
-            <translation>Qué cambiaría en “%1”</translation>
-        </message>
-        <message>
-            <source>Delete on %1</source>
-            <translation>Borrar en %1</translation>
-        </message>
-        <message>
-            <source>These files are deleted on %1:
-%2
-Before that each is copied to %3.</source>
-            <translation>Estos archivos se borran en %1:
-%2
-Antes, cada uno se copia en %3.</translation>
-        </message>
-        <message numerus="yes">
-            <source>Delete %n file(s)</source>
-            <translation>
-                <numerusform>Borrar %n archivo</numerusform>
-                <numerusform>Borrar %n archivos</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>What changes in “%1” on %2</source>
-            <translation>Qué cambia en “%1” en %2</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>Enviar</translation>
         </message>
     </context>
     <context>
@@ -3864,6 +3774,32 @@ Antes, cada uno se copia en %3.</translation>
         </message>
     </context>
     <context>
+        <name>pages::Offers</name>
+        <message>
+            <source>Before sending</source>
+            <translation>Antes de enviar</translation>
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation>
+                <numerusform>Enviar %n archivo</numerusform>
+                <numerusform>Enviar %n archivos</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation>en este equipo</translation>
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation>en %1</translation>
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation>Qué cambiaría en “%1”</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::OptionsCard</name>
         <message>
             <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
@@ -3975,6 +3911,25 @@ Antes, cada uno se copia en %3.</translation>
         </message>
     </context>
     <context>
+        <name>pages::QueueCard</name>
+        <message>
+            <source>Transfers</source>
+            <translation>Transferencias</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancelar</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation>Reintentar fallidas</translation>
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation>Quitar terminadas</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::RegistersPage</name>
         <message>
             <source>How registers are written</source>
@@ -3999,6 +3954,36 @@ Antes, cada uno se copia en %3.</translation>
         <message>
             <source>M000 to M559 can be written; the others belong to the ladder.</source>
             <translation>De M000 a M559 se pueden escribir; los demás pertenecen al programa de escalera (ladder).</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::RemoteChanges</name>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation>Qué cambia en “%1” en %2</translation>
+        </message>
+        <message>
+            <source>Send</source>
+            <translation>Enviar</translation>
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation>Borrar en %1</translation>
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation>Estos archivos se borran en %1:
+%2
+Antes, cada uno se copia en %3.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation>
+                <numerusform>Borrar %n archivo</numerusform>
+                <numerusform>Borrar %n archivos</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -4183,6 +4168,48 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         <message>
             <source>%1 · %2</source>
             <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::Timeline</name>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation>▲ ya no es una copia de seguridad</translation>
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation>
+                <numerusform>▲ falta %n archivo</numerusform>
+                <numerusform>▲ faltan %n archivos</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation>completa</translation>
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation>%1, fijada</translation>
+        </message>
+        <message>
+            <source>Taken</source>
+            <translation>Realizada</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Archivos</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Modificado</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Estado</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation>Copias de seguridad</translation>
         </message>
     </context>
     <context>
@@ -4400,6 +4427,11 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
             <source>Export values</source>
             <translation>Exportar valores</translation>
         </message>
+        <message>
+            <source>%1 stays as it is: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1 queda como está: %2</translation>
+        </message>
     </context>
     <context>
         <name>pages::VariableTransfer</name>
@@ -4599,10 +4631,6 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
     <context>
         <name>pendeskctl</name>
         <message>
-            <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation>Se restauraron %1 archivos. La copia de seguridad nueva es %2.</translation>
-        </message>
-        <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
             <translation>Se detuvo en %1. Tal como estaba se encuentra en %2; “restore” desde ahí con este nombre lo repone.</translation>
         </message>
@@ -4717,10 +4745,6 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         <message>
             <source>put: replace what the controller has.</source>
             <translation>put: reemplazar lo que tiene el controlador.</translation>
-        </message>
-        <message>
-            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation>Enumera, lee, envía y borra archivos. Los archivos enviados se vuelven a leer; antes de borrar un archivo se escribe aquí una copia.</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
@@ -4921,6 +4945,44 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         <message>
             <source>Reads status, executing job, position and system information once.</source>
             <translation>Lee una vez el estado, el trabajo en ejecución, la posición y la información del sistema.</translation>
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need --yes.</source>
+            <translation>Lista, lee, envía y borra archivos. Los archivos enviados se vuelven a leer; antes de borrar un archivo se escribe aquí una copia. Lo existente lo sustituyen get con --yes y put con --replace; put y rm necesitan --yes.</translation>
+        </message>
+        <message>
+            <source>The controller lists no file that “%1” matches.</source>
+            <translation>El controlador no lista ningún archivo que coincida con «%1».</translation>
+        </message>
+        <message>
+            <source>The controller is named with --host H, or with --profile NAME as Pendesk keeps it.</source>
+            <translation>El controlador se indica con --host H, o con --profile NAME tal como lo guarda Pendesk.</translation>
+        </message>
+        <message>
+            <source>What changes something does nothing without --yes.</source>
+            <translation>Lo que cambia algo no hace nada sin --yes.</translation>
+        </message>
+        <message>
+            <source>Exit codes: 0 done, 1 differences, 2 wrong call, 3 no answer or outcome unknown, 4 refused,
+5 local file error, 6 verification failed, 7 done in part.</source>
+            <translation>Códigos de salida: 0 hecho, 1 diferencias, 2 llamada incorrecta, 3 sin respuesta o resultado desconocido, 4 rechazado,
+5 error de archivo local, 6 verificación no superada, 7 hecho en parte.</translation>
+        </message>
+        <message>
+            <source>Nobody has verified how this controller numbers its variables (parameter RS022), so these may be their neighbours. --numbering 0 or --numbering 1 settles it.</source>
+            <translation>Nadie ha verificado cómo numera este controlador sus variables (parámetro RS022), así que estas pueden ser sus vecinas. --numbering 0 o --numbering 1 lo aclara.</translation>
+        </message>
+        <message>
+            <source>Print this and end.</source>
+            <translation>Mostrar esto y terminar.</translation>
+        </message>
+        <message>
+            <source>Files restored: %1. The fresh backup is %2.</source>
+            <translation>Archivos restaurados: %1. La copia de seguridad nueva es %2.</translation>
+        </message>
+        <message>
+            <source>The software of the controller is another than that with which the numbering was verified. Verify it again, or say --numbering 0 or --numbering 1.</source>
+            <translation>El software del controlador no es el mismo con el que se verificó la numeración. Verifíquela de nuevo, o indique --numbering 0 o --numbering 1.</translation>
         </message>
     </context>
     <context>
@@ -6183,6 +6245,34 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         </message>
     </context>
     <context>
+        <name>ui::BackupAge</name>
+        <message>
+            <source>No backup</source>
+            <translation>Sin copia de seguridad</translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n hour(s) old</source>
+            <translation>
+                <numerusform>Copia de hace %n hora</numerusform>
+                <numerusform>Copia de hace %n horas</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n day(s) old</source>
+            <translation>
+                <numerusform>Copia de hace %n día</numerusform>
+                <numerusform>Copia de hace %n días</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Old backup: %n day(s)</source>
+            <translation>
+                <numerusform>Copia antigua: %n día</numerusform>
+                <numerusform>Copia antigua: %n días</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ControllerView</name>
         <message>
             <source>%1 — %2</source>
@@ -6787,6 +6877,10 @@ HOLD es una retención por software a través de la red, no una función de segu
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: %2. %3</source>
+            <translation>%1: %2. %3</translation>
         </message>
     </context>
     <context>

@@ -2612,22 +2612,6 @@
     <context>
         <name>pages::BackupPage</name>
         <message>
-            <source>Taken</source>
-            <translation>Créée</translation>
-        </message>
-        <message>
-            <source>Files</source>
-            <translation>Fichiers</translation>
-        </message>
-        <message>
-            <source>Changed</source>
-            <translation>Modifié</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>État</translation>
-        </message>
-        <message>
             <source>Backups</source>
             <translation>Sauvegardes</translation>
         </message>
@@ -2663,18 +2647,6 @@
             <source>Compare</source>
             <translation>Comparer</translation>
         </message>
-        <message>
-            <source>File</source>
-            <translation>Fichier</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>Modification</translation>
-        </message>
-        <message>
-            <source>Files that differ</source>
-            <translation>Fichiers différents</translation>
-        </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
             <translation>
@@ -2693,10 +2665,6 @@
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
             <translation>La dernière sauvegarde correcte et les sauvegardes épinglées ne sont jamais supprimées.</translation>
-        </message>
-        <message>
-            <source>Comparison</source>
-            <translation>Comparaison</translation>
         </message>
         <message>
             <source>Compare with</source>
@@ -2719,35 +2687,8 @@
             <translation>Restaurer…</translation>
         </message>
         <message>
-            <source>Not counted as a difference:</source>
-            <translation>N’est pas compté comme différence :</translation>
-        </message>
-        <message>
-            <source>Choose a backup and compare it.</source>
-            <translation>Choisir une sauvegarde et la comparer.</translation>
-        </message>
-        <message>
             <source>In %1</source>
             <translation>Dans %1</translation>
-        </message>
-        <message>
-            <source>▲ no backup any more</source>
-            <translation>▲ n’est plus une sauvegarde</translation>
-        </message>
-        <message numerus="yes">
-            <source>▲ %n file(s) missing</source>
-            <translation>
-                <numerusform>▲ %n fichier manquant</numerusform>
-                <numerusform>▲ %n fichiers manquants</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>complete</source>
-            <translation>complète</translation>
-        </message>
-        <message>
-            <source>%1, pinned</source>
-            <translation>%1, épinglée</translation>
         </message>
         <message>
             <source>Unpin</source>
@@ -2797,39 +2738,12 @@
             <translation>Les fichiers du contrôleur ont été lus.</translation>
         </message>
         <message>
-            <source>≠ changed</source>
-            <translation>≠ modifié</translation>
+            <source>Folder…</source>
+            <translation>Dossier…</translation>
         </message>
         <message>
-            <source>+ new</source>
-            <translation>+ nouveau</translation>
-        </message>
-        <message>
-            <source>− gone</source>
-            <translation>− disparu</translation>
-        </message>
-        <message>
-            <source>▲ not read, nobody knows</source>
-            <translation>▲ non lu, inconnu</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) differ</source>
-            <translation>
-                <numerusform>%n fichier diffère</numerusform>
-                <numerusform>%n fichiers diffèrent</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Choose a file above.</source>
-            <translation>Choisir un fichier ci-dessus.</translation>
-        </message>
-        <message>
-            <source>Nothing differs.</source>
-            <translation>Aucune différence.</translation>
-        </message>
-        <message>
-            <source>This file is not in the backup as it was written.</source>
-            <translation>Ce fichier n’est pas dans la sauvegarde tel qu’il a été écrit.</translation>
+            <source>Folder of the backups</source>
+            <translation>Dossier des sauvegardes</translation>
         </message>
     </context>
     <context>
@@ -2873,6 +2787,68 @@
         <message>
             <source>%1, base frame, tool %2</source>
             <translation>%1, repère base, outil %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ComparisonCard</name>
+        <message>
+            <source>≠ changed</source>
+            <translation>≠ modifié</translation>
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation>+ nouveau</translation>
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation>− disparu</translation>
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation>▲ non lu, inconnu</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>Comparaison</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Fichier</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Modification</translation>
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation>Fichiers différents</translation>
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation>Choisir une sauvegarde et la comparer.</translation>
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation>N’est pas compté comme différence :</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation>
+                <numerusform>%n fichier diffère</numerusform>
+                <numerusform>%n fichiers diffèrent</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation>Choisir un fichier ci-dessus.</translation>
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation>Aucune différence.</translation>
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation>Ce fichier n’est pas dans la sauvegarde tel qu’il a été écrit.</translation>
         </message>
     </context>
     <context>
@@ -2955,22 +2931,6 @@
             <translation>Supprimer…</translation>
         </message>
         <message>
-            <source>Transfers</source>
-            <translation>Transferts</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Retry failed</source>
-            <translation>Relancer les échecs</translation>
-        </message>
-        <message>
-            <source>Clear finished</source>
-            <translation>Effacer les terminés</translation>
-        </message>
-        <message>
             <source>There are no controller files in this folder.</source>
             <translation>Il n’y a pas de fichiers de contrôleur dans ce dossier.</translation>
         </message>
@@ -2989,56 +2949,6 @@
         <message>
             <source>Choose files on the right first.</source>
             <translation>Choisir d’abord des fichiers à droite.</translation>
-        </message>
-        <message>
-            <source>Before sending</source>
-            <translation>Avant l’envoi</translation>
-        </message>
-        <message numerus="yes">
-            <source>Send %n file(s)</source>
-            <translation>
-                <numerusform>Envoyer %n fichier</numerusform>
-                <numerusform>Envoyer %n fichiers</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>on this computer</source>
-            <translation>sur cet ordinateur</translation>
-        </message>
-        <message>
-            <source>on %1</source>
-            <translation>sur %1</translation>
-        </message>
-        <message>
-            <source>What would change in “%1”</source>
-            <translation>Ce qui changerait dans « %1 »</translation>
-        </message>
-        <message>
-            <source>Delete on %1</source>
-            <translation>Supprimer sur %1</translation>
-        </message>
-        <message>
-            <source>These files are deleted on %1:
-%2
-Before that each is copied to %3.</source>
-            <translation>Ces fichiers sont supprimés sur %1 :
-%2
-Auparavant, chacun est copié dans %3.</translation>
-        </message>
-        <message numerus="yes">
-            <source>Delete %n file(s)</source>
-            <translation>
-                <numerusform>Supprimer %n fichier</numerusform>
-                <numerusform>Supprimer %n fichiers</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>What changes in “%1” on %2</source>
-            <translation>Ce qui change dans « %1 » sur %2</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>Envoyer</translation>
         </message>
     </context>
     <context>
@@ -3864,6 +3774,32 @@ Auparavant, chacun est copié dans %3.</translation>
         </message>
     </context>
     <context>
+        <name>pages::Offers</name>
+        <message>
+            <source>Before sending</source>
+            <translation>Avant l’envoi</translation>
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation>
+                <numerusform>Envoyer %n fichier</numerusform>
+                <numerusform>Envoyer %n fichiers</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation>sur cet ordinateur</translation>
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation>sur %1</translation>
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation>Ce qui changerait dans « %1 »</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::OptionsCard</name>
         <message>
             <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
@@ -3975,6 +3911,25 @@ Auparavant, chacun est copié dans %3.</translation>
         </message>
     </context>
     <context>
+        <name>pages::QueueCard</name>
+        <message>
+            <source>Transfers</source>
+            <translation>Transferts</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation>Relancer les échecs</translation>
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation>Effacer les terminés</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::RegistersPage</name>
         <message>
             <source>How registers are written</source>
@@ -3999,6 +3954,36 @@ Auparavant, chacun est copié dans %3.</translation>
         <message>
             <source>M000 to M559 can be written; the others belong to the ladder.</source>
             <translation>M000 à M559 peuvent être écrits ; les autres appartiennent au programme ladder.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::RemoteChanges</name>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation>Ce qui change dans « %1 » sur %2</translation>
+        </message>
+        <message>
+            <source>Send</source>
+            <translation>Envoyer</translation>
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation>Supprimer sur %1</translation>
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation>Ces fichiers sont supprimés sur %1 :
+%2
+Auparavant, chacun est copié dans %3.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation>
+                <numerusform>Supprimer %n fichier</numerusform>
+                <numerusform>Supprimer %n fichiers</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -4183,6 +4168,48 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         <message>
             <source>%1 · %2</source>
             <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::Timeline</name>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation>▲ n’est plus une sauvegarde</translation>
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation>
+                <numerusform>▲ %n fichier manquant</numerusform>
+                <numerusform>▲ %n fichiers manquants</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation>complète</translation>
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation>%1, épinglée</translation>
+        </message>
+        <message>
+            <source>Taken</source>
+            <translation>Créée</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Fichiers</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Modifié</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>État</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation>Sauvegardes</translation>
         </message>
     </context>
     <context>
@@ -4400,6 +4427,11 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
             <source>Export values</source>
             <translation>Exporter des valeurs</translation>
         </message>
+        <message>
+            <source>%1 stays as it is: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1 reste tel quel : %2</translation>
+        </message>
     </context>
     <context>
         <name>pages::VariableTransfer</name>
@@ -4599,10 +4631,6 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     <context>
         <name>pendeskctl</name>
         <message>
-            <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation>%1 fichiers ont été restaurés. La nouvelle sauvegarde est %2.</translation>
-        </message>
-        <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
             <translation>L’opération s’est arrêtée à %1. Son état précédent est dans %2 ; « restore » de cette sauvegarde avec ce nom le rétablit.</translation>
         </message>
@@ -4717,10 +4745,6 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         <message>
             <source>put: replace what the controller has.</source>
             <translation>put : remplacer ce que contient le contrôleur.</translation>
-        </message>
-        <message>
-            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation>Liste, lit, envoie et supprime des fichiers. Les fichiers envoyés sont relus ; avant la suppression d’un fichier, une copie est écrite ici.</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
@@ -4921,6 +4945,44 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         <message>
             <source>Reads status, executing job, position and system information once.</source>
             <translation>Lit une fois l’état, le job en exécution, la position et les informations système.</translation>
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need --yes.</source>
+            <translation>Liste, lit, envoie et supprime des fichiers. Les fichiers envoyés sont relus ; avant la suppression d’un fichier, une copie est écrite ici. Ce qui existe est remplacé par get avec --yes, par put avec --replace ; put et rm exigent --yes.</translation>
+        </message>
+        <message>
+            <source>The controller lists no file that “%1” matches.</source>
+            <translation>Le contrôleur ne liste aucun fichier correspondant à « %1 ».</translation>
+        </message>
+        <message>
+            <source>The controller is named with --host H, or with --profile NAME as Pendesk keeps it.</source>
+            <translation>Le contrôleur est désigné par --host H, ou par --profile NAME tel que Pendesk le conserve.</translation>
+        </message>
+        <message>
+            <source>What changes something does nothing without --yes.</source>
+            <translation>Ce qui modifie quelque chose ne fait rien sans --yes.</translation>
+        </message>
+        <message>
+            <source>Exit codes: 0 done, 1 differences, 2 wrong call, 3 no answer or outcome unknown, 4 refused,
+5 local file error, 6 verification failed, 7 done in part.</source>
+            <translation>Codes de sortie : 0 fait, 1 différences, 2 appel incorrect, 3 pas de réponse ou issue inconnue, 4 refusé,
+5 erreur de fichier local, 6 vérification non réussie, 7 fait en partie.</translation>
+        </message>
+        <message>
+            <source>Nobody has verified how this controller numbers its variables (parameter RS022), so these may be their neighbours. --numbering 0 or --numbering 1 settles it.</source>
+            <translation>Personne n’a vérifié comment ce contrôleur numérote ses variables (paramètre RS022) ; celles-ci peuvent donc être leurs voisines. --numbering 0 ou --numbering 1 tranche.</translation>
+        </message>
+        <message>
+            <source>Print this and end.</source>
+            <translation>Afficher ceci et terminer.</translation>
+        </message>
+        <message>
+            <source>Files restored: %1. The fresh backup is %2.</source>
+            <translation>Fichiers restaurés : %1. La nouvelle sauvegarde est %2.</translation>
+        </message>
+        <message>
+            <source>The software of the controller is another than that with which the numbering was verified. Verify it again, or say --numbering 0 or --numbering 1.</source>
+            <translation>Le logiciel du contrôleur n’est pas celui avec lequel la numérotation a été vérifiée. Vérifiez-la de nouveau, ou indiquez --numbering 0 ou --numbering 1.</translation>
         </message>
     </context>
     <context>
@@ -6183,6 +6245,34 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         </message>
     </context>
     <context>
+        <name>ui::BackupAge</name>
+        <message>
+            <source>No backup</source>
+            <translation>Aucune sauvegarde</translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n hour(s) old</source>
+            <translation>
+                <numerusform>Sauvegarde de %n heure</numerusform>
+                <numerusform>Sauvegarde de %n heures</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n day(s) old</source>
+            <translation>
+                <numerusform>Sauvegarde de %n jour</numerusform>
+                <numerusform>Sauvegarde de %n jours</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Old backup: %n day(s)</source>
+            <translation>
+                <numerusform>Sauvegarde ancienne : %n jour</numerusform>
+                <numerusform>Sauvegarde ancienne : %n jours</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ControllerView</name>
         <message>
             <source>%1 — %2</source>
@@ -6787,6 +6877,10 @@ HOLD est un HOLD logiciel par le réseau, pas une fonction de sécurité.</trans
         <message>
             <source>%1: %2</source>
             <translation>%1 : %2</translation>
+        </message>
+        <message>
+            <source>%1: %2. %3</source>
+            <translation>%1: %2. %3</translation>
         </message>
     </context>
     <context>

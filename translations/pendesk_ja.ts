@@ -2591,22 +2591,6 @@
     <context>
         <name>pages::BackupPage</name>
         <message>
-            <source>Taken</source>
-            <translation>取得日時</translation>
-        </message>
-        <message>
-            <source>Files</source>
-            <translation>ファイル</translation>
-        </message>
-        <message>
-            <source>Changed</source>
-            <translation>変更時刻</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>状態</translation>
-        </message>
-        <message>
             <source>Backups</source>
             <translation>バックアップ</translation>
         </message>
@@ -2642,18 +2626,6 @@
             <source>Compare</source>
             <translation>比較</translation>
         </message>
-        <message>
-            <source>File</source>
-            <translation>ファイル</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>変更</translation>
-        </message>
-        <message>
-            <source>Files that differ</source>
-            <translation>異なるファイル</translation>
-        </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
             <translation>
@@ -2671,10 +2643,6 @@
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
             <translation>最後の良好なバックアップと固定したバックアップは削除しません。</translation>
-        </message>
-        <message>
-            <source>Comparison</source>
-            <translation>比較結果</translation>
         </message>
         <message>
             <source>Compare with</source>
@@ -2697,34 +2665,8 @@
             <translation>復元…</translation>
         </message>
         <message>
-            <source>Not counted as a difference:</source>
-            <translation>差異として数えないもの:</translation>
-        </message>
-        <message>
-            <source>Choose a backup and compare it.</source>
-            <translation>バックアップを選んで比較してください。</translation>
-        </message>
-        <message>
             <source>In %1</source>
             <translation>保存先: %1</translation>
-        </message>
-        <message>
-            <source>▲ no backup any more</source>
-            <translation>▲ もうバックアップではありません</translation>
-        </message>
-        <message numerus="yes">
-            <source>▲ %n file(s) missing</source>
-            <translation>
-                <numerusform>▲ %n個のファイルがありません</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>complete</source>
-            <translation>完全</translation>
-        </message>
-        <message>
-            <source>%1, pinned</source>
-            <translation>%1、固定</translation>
         </message>
         <message>
             <source>Unpin</source>
@@ -2773,38 +2715,12 @@
             <translation>コントローラのファイルを読み出しました。</translation>
         </message>
         <message>
-            <source>≠ changed</source>
-            <translation>≠ 変更あり</translation>
+            <source>Folder…</source>
+            <translation>フォルダ…</translation>
         </message>
         <message>
-            <source>+ new</source>
-            <translation>+ 新規</translation>
-        </message>
-        <message>
-            <source>− gone</source>
-            <translation>− 削除</translation>
-        </message>
-        <message>
-            <source>▲ not read, nobody knows</source>
-            <translation>▲ 未読出し、不明</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) differ</source>
-            <translation>
-                <numerusform>%n個のファイルが異なります</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Choose a file above.</source>
-            <translation>上でファイルを選んでください。</translation>
-        </message>
-        <message>
-            <source>Nothing differs.</source>
-            <translation>違いはありません。</translation>
-        </message>
-        <message>
-            <source>This file is not in the backup as it was written.</source>
-            <translation>バックアップにあるこのファイルは、書き込んだときと異なります。</translation>
+            <source>Folder of the backups</source>
+            <translation>バックアップのフォルダ</translation>
         </message>
     </context>
     <context>
@@ -2848,6 +2764,67 @@
         <message>
             <source>%1, base frame, tool %2</source>
             <translation>%1、ベース座標、ツール %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ComparisonCard</name>
+        <message>
+            <source>≠ changed</source>
+            <translation>≠ 変更あり</translation>
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation>+ 新規</translation>
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation>− 削除</translation>
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation>▲ 未読出し、不明</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>比較結果</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>ファイル</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>変更</translation>
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation>異なるファイル</translation>
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation>バックアップを選んで比較してください。</translation>
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation>差異として数えないもの:</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation>
+                <numerusform>%n個のファイルが異なります</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation>上でファイルを選んでください。</translation>
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation>違いはありません。</translation>
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation>バックアップにあるこのファイルは、書き込んだときと異なります。</translation>
         </message>
     </context>
     <context>
@@ -2929,22 +2906,6 @@
             <translation>削除…</translation>
         </message>
         <message>
-            <source>Transfers</source>
-            <translation>転送</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>キャンセル</translation>
-        </message>
-        <message>
-            <source>Retry failed</source>
-            <translation>失敗分を再試行</translation>
-        </message>
-        <message>
-            <source>Clear finished</source>
-            <translation>完了分を消去</translation>
-        </message>
-        <message>
             <source>There are no controller files in this folder.</source>
             <translation>このフォルダにコントローラのファイルはありません。</translation>
         </message>
@@ -2963,54 +2924,6 @@
         <message>
             <source>Choose files on the right first.</source>
             <translation>先に右側でファイルを選んでください。</translation>
-        </message>
-        <message>
-            <source>Before sending</source>
-            <translation>送信の前に</translation>
-        </message>
-        <message numerus="yes">
-            <source>Send %n file(s)</source>
-            <translation>
-                <numerusform>%n個のファイルを送信</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>on this computer</source>
-            <translation>このコンピュータ上</translation>
-        </message>
-        <message>
-            <source>on %1</source>
-            <translation>%1上</translation>
-        </message>
-        <message>
-            <source>What would change in “%1”</source>
-            <translation>「%1」で変わる内容</translation>
-        </message>
-        <message>
-            <source>Delete on %1</source>
-            <translation>%1のファイル削除</translation>
-        </message>
-        <message>
-            <source>These files are deleted on %1:
-%2
-Before that each is copied to %3.</source>
-            <translation>%1の次のファイルを削除します:
-%2
-その前に、それぞれを%3にコピーします。</translation>
-        </message>
-        <message numerus="yes">
-            <source>Delete %n file(s)</source>
-            <translation>
-                <numerusform>%n個のファイルを削除</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>What changes in “%1” on %2</source>
-            <translation>%2の「%1」で変わる内容</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>送信</translation>
         </message>
     </context>
     <context>
@@ -3829,6 +3742,31 @@ Before that each is copied to %3.</source>
         </message>
     </context>
     <context>
+        <name>pages::Offers</name>
+        <message>
+            <source>Before sending</source>
+            <translation>送信の前に</translation>
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation>
+                <numerusform>%n個のファイルを送信</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation>このコンピュータ上</translation>
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation>%1上</translation>
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation>「%1」で変わる内容</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::OptionsCard</name>
         <message>
             <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
@@ -3939,6 +3877,25 @@ Before that each is copied to %3.</source>
         </message>
     </context>
     <context>
+        <name>pages::QueueCard</name>
+        <message>
+            <source>Transfers</source>
+            <translation>転送</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>キャンセル</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation>失敗分を再試行</translation>
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation>完了分を消去</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::RegistersPage</name>
         <message>
             <source>How registers are written</source>
@@ -3963,6 +3920,35 @@ Before that each is copied to %3.</source>
         <message>
             <source>M000 to M559 can be written; the others belong to the ladder.</source>
             <translation>書き込めるのはM000からM559までです。ほかはラダーが使います。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::RemoteChanges</name>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation>%2の「%1」で変わる内容</translation>
+        </message>
+        <message>
+            <source>Send</source>
+            <translation>送信</translation>
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation>%1のファイル削除</translation>
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation>%1の次のファイルを削除します:
+%2
+その前に、それぞれを%3にコピーします。</translation>
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation>
+                <numerusform>%n個のファイルを削除</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -4146,6 +4132,47 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>%1 · %2</source>
             <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::Timeline</name>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation>▲ もうバックアップではありません</translation>
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation>
+                <numerusform>▲ %n個のファイルがありません</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation>完全</translation>
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation>%1、固定</translation>
+        </message>
+        <message>
+            <source>Taken</source>
+            <translation>取得日時</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>ファイル</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>変更時刻</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状態</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation>バックアップ</translation>
         </message>
     </context>
     <context>
@@ -4362,6 +4389,11 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>Variables</source>
             <translation>変数</translation>
         </message>
+        <message>
+            <source>%1 stays as it is: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1 はそのまま残ります: %2</translation>
+        </message>
     </context>
     <context>
         <name>pages::VariableTransfer</name>
@@ -4560,10 +4592,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
     <context>
         <name>pendeskctl</name>
         <message>
-            <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation>%1個のファイルを復元しました。新しいバックアップは%2です。</translation>
-        </message>
-        <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
             <translation>%1で停止しました。元の内容は%2にあります。この名前を指定してそれを「restore」すると元に戻ります。</translation>
         </message>
@@ -4678,10 +4706,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>put: replace what the controller has.</source>
             <translation>put: コントローラにあるものを置き換えます。</translation>
-        </message>
-        <message>
-            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation>ファイルの一覧表示、読出し、送信、削除を行います。送信したファイルは読み戻します。ファイルを削除する前に、写しをここに書き込みます。</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
@@ -4882,6 +4906,44 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>Reads status, executing job, position and system information once.</source>
             <translation>状態、実行中のジョブ、位置、システム情報を1回読み出します。</translation>
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need --yes.</source>
+            <translation>ファイルの一覧、読み出し、送信、削除を行います。送信したファイルは読み戻され、削除の前にはここにコピーが書き込まれます。既にあるものは、get では --yes、put では --replace で置き換えられます。put と rm には --yes が必要です。</translation>
+        </message>
+        <message>
+            <source>The controller lists no file that “%1” matches.</source>
+            <translation>「%1」に一致するファイルはコントローラの一覧にありません。</translation>
+        </message>
+        <message>
+            <source>The controller is named with --host H, or with --profile NAME as Pendesk keeps it.</source>
+            <translation>コントローラは --host H、または Pendesk に保存された --profile NAME で指定します。</translation>
+        </message>
+        <message>
+            <source>What changes something does nothing without --yes.</source>
+            <translation>何かを変更する操作は、--yes がなければ何も行いません。</translation>
+        </message>
+        <message>
+            <source>Exit codes: 0 done, 1 differences, 2 wrong call, 3 no answer or outcome unknown, 4 refused,
+5 local file error, 6 verification failed, 7 done in part.</source>
+            <translation>終了コード: 0 完了、1 相違あり、2 呼び出しの誤り、3 応答なしまたは結果不明、4 拒否、
+5 ローカルファイルのエラー、6 検証不合格、7 一部完了。</translation>
+        </message>
+        <message>
+            <source>Nobody has verified how this controller numbers its variables (parameter RS022), so these may be their neighbours. --numbering 0 or --numbering 1 settles it.</source>
+            <translation>このコントローラの変数の番号付け（パラメータ RS022）は確認されていないため、隣の変数の値かもしれません。--numbering 0 または --numbering 1 で確定します。</translation>
+        </message>
+        <message>
+            <source>Print this and end.</source>
+            <translation>これを表示して終了します。</translation>
+        </message>
+        <message>
+            <source>Files restored: %1. The fresh backup is %2.</source>
+            <translation>復元したファイル: %1。新しいバックアップは %2 です。</translation>
+        </message>
+        <message>
+            <source>The software of the controller is another than that with which the numbering was verified. Verify it again, or say --numbering 0 or --numbering 1.</source>
+            <translation>コントローラのソフトウェアは、番号付けを確認したときのものと異なります。もう一度確認するか、--numbering 0 または --numbering 1 を指定してください。</translation>
         </message>
     </context>
     <context>
@@ -6142,6 +6204,31 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>ui::BackupAge</name>
+        <message>
+            <source>No backup</source>
+            <translation>バックアップなし</translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n hour(s) old</source>
+            <translation>
+                <numerusform>バックアップは %n 時間前</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n day(s) old</source>
+            <translation>
+                <numerusform>バックアップは %n 日前</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Old backup: %n day(s)</source>
+            <translation>
+                <numerusform>古いバックアップ: %n 日</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ControllerView</name>
         <message>
             <source>%1 — %2</source>
@@ -6743,6 +6830,10 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: %2. %3</source>
+            <translation>%1: %2. %3</translation>
         </message>
     </context>
     <context>

@@ -2591,22 +2591,6 @@
     <context>
         <name>pages::BackupPage</name>
         <message>
-            <source>Taken</source>
-            <translation>백업 일시</translation>
-        </message>
-        <message>
-            <source>Files</source>
-            <translation>파일</translation>
-        </message>
-        <message>
-            <source>Changed</source>
-            <translation>변경 시각</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>상태</translation>
-        </message>
-        <message>
             <source>Backups</source>
             <translation>백업</translation>
         </message>
@@ -2642,18 +2626,6 @@
             <source>Compare</source>
             <translation>비교</translation>
         </message>
-        <message>
-            <source>File</source>
-            <translation>파일</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>변경</translation>
-        </message>
-        <message>
-            <source>Files that differ</source>
-            <translation>다른 파일</translation>
-        </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
             <translation>
@@ -2671,10 +2643,6 @@
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
             <translation>마지막 양호한 백업과 고정된 백업은 삭제하지 않습니다.</translation>
-        </message>
-        <message>
-            <source>Comparison</source>
-            <translation>비교 결과</translation>
         </message>
         <message>
             <source>Compare with</source>
@@ -2697,34 +2665,8 @@
             <translation>복원…</translation>
         </message>
         <message>
-            <source>Not counted as a difference:</source>
-            <translation>차이로 계산하지 않는 항목:</translation>
-        </message>
-        <message>
-            <source>Choose a backup and compare it.</source>
-            <translation>백업을 선택하여 비교하십시오.</translation>
-        </message>
-        <message>
             <source>In %1</source>
             <translation>저장 위치: %1</translation>
-        </message>
-        <message>
-            <source>▲ no backup any more</source>
-            <translation>▲ 더 이상 백업이 아님</translation>
-        </message>
-        <message numerus="yes">
-            <source>▲ %n file(s) missing</source>
-            <translation>
-                <numerusform>▲ 파일 %n개 없음</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>complete</source>
-            <translation>완전함</translation>
-        </message>
-        <message>
-            <source>%1, pinned</source>
-            <translation>%1, 고정됨</translation>
         </message>
         <message>
             <source>Unpin</source>
@@ -2773,38 +2715,12 @@
             <translation>컨트롤러의 파일을 읽었습니다.</translation>
         </message>
         <message>
-            <source>≠ changed</source>
-            <translation>≠ 변경됨</translation>
+            <source>Folder…</source>
+            <translation>폴더…</translation>
         </message>
         <message>
-            <source>+ new</source>
-            <translation>+ 신규</translation>
-        </message>
-        <message>
-            <source>− gone</source>
-            <translation>− 없어짐</translation>
-        </message>
-        <message>
-            <source>▲ not read, nobody knows</source>
-            <translation>▲ 읽지 않음, 알 수 없음</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) differ</source>
-            <translation>
-                <numerusform>파일 %n개가 다름</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Choose a file above.</source>
-            <translation>위에서 파일을 선택하십시오.</translation>
-        </message>
-        <message>
-            <source>Nothing differs.</source>
-            <translation>차이가 없습니다.</translation>
-        </message>
-        <message>
-            <source>This file is not in the backup as it was written.</source>
-            <translation>백업에 있는 이 파일은 썼을 때와 다릅니다.</translation>
+            <source>Folder of the backups</source>
+            <translation>백업 폴더</translation>
         </message>
     </context>
     <context>
@@ -2848,6 +2764,67 @@
         <message>
             <source>%1, base frame, tool %2</source>
             <translation>%1, 베이스 좌표, 툴 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ComparisonCard</name>
+        <message>
+            <source>≠ changed</source>
+            <translation>≠ 변경됨</translation>
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation>+ 신규</translation>
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation>− 없어짐</translation>
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation>▲ 읽지 않음, 알 수 없음</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>비교 결과</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>변경</translation>
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation>다른 파일</translation>
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation>백업을 선택하여 비교하십시오.</translation>
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation>차이로 계산하지 않는 항목:</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation>
+                <numerusform>파일 %n개가 다름</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation>위에서 파일을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation>차이가 없습니다.</translation>
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation>백업에 있는 이 파일은 썼을 때와 다릅니다.</translation>
         </message>
     </context>
     <context>
@@ -2929,22 +2906,6 @@
             <translation>삭제…</translation>
         </message>
         <message>
-            <source>Transfers</source>
-            <translation>전송</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>취소</translation>
-        </message>
-        <message>
-            <source>Retry failed</source>
-            <translation>실패 항목 재시도</translation>
-        </message>
-        <message>
-            <source>Clear finished</source>
-            <translation>완료 항목 지우기</translation>
-        </message>
-        <message>
             <source>There are no controller files in this folder.</source>
             <translation>이 폴더에 컨트롤러 파일이 없습니다.</translation>
         </message>
@@ -2963,54 +2924,6 @@
         <message>
             <source>Choose files on the right first.</source>
             <translation>먼저 오른쪽에서 파일을 선택하십시오.</translation>
-        </message>
-        <message>
-            <source>Before sending</source>
-            <translation>송신 전</translation>
-        </message>
-        <message numerus="yes">
-            <source>Send %n file(s)</source>
-            <translation>
-                <numerusform>파일 %n개 송신</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>on this computer</source>
-            <translation>이 컴퓨터 측</translation>
-        </message>
-        <message>
-            <source>on %1</source>
-            <translation>%1 측</translation>
-        </message>
-        <message>
-            <source>What would change in “%1”</source>
-            <translation>“%1”에서 바뀔 내용</translation>
-        </message>
-        <message>
-            <source>Delete on %1</source>
-            <translation>%1의 파일 삭제</translation>
-        </message>
-        <message>
-            <source>These files are deleted on %1:
-%2
-Before that each is copied to %3.</source>
-            <translation>%1에서 다음 파일을 삭제합니다:
-%2
-그 전에 각 파일을 %3에 복사합니다.</translation>
-        </message>
-        <message numerus="yes">
-            <source>Delete %n file(s)</source>
-            <translation>
-                <numerusform>파일 %n개 삭제</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>What changes in “%1” on %2</source>
-            <translation>%2의 “%1”에서 바뀌는 내용</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>송신</translation>
         </message>
     </context>
     <context>
@@ -3829,6 +3742,31 @@ Before that each is copied to %3.</source>
         </message>
     </context>
     <context>
+        <name>pages::Offers</name>
+        <message>
+            <source>Before sending</source>
+            <translation>송신 전</translation>
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation>
+                <numerusform>파일 %n개 송신</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation>이 컴퓨터 측</translation>
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation>%1 측</translation>
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation>“%1”에서 바뀔 내용</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::OptionsCard</name>
         <message>
             <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
@@ -3939,6 +3877,25 @@ Before that each is copied to %3.</source>
         </message>
     </context>
     <context>
+        <name>pages::QueueCard</name>
+        <message>
+            <source>Transfers</source>
+            <translation>전송</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation>실패 항목 재시도</translation>
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation>완료 항목 지우기</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::RegistersPage</name>
         <message>
             <source>How registers are written</source>
@@ -3963,6 +3920,35 @@ Before that each is copied to %3.</source>
         <message>
             <source>M000 to M559 can be written; the others belong to the ladder.</source>
             <translation>M000부터 M559까지 쓸 수 있습니다. 나머지는 래더가 사용합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::RemoteChanges</name>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation>%2의 “%1”에서 바뀌는 내용</translation>
+        </message>
+        <message>
+            <source>Send</source>
+            <translation>송신</translation>
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation>%1의 파일 삭제</translation>
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation>%1에서 다음 파일을 삭제합니다:
+%2
+그 전에 각 파일을 %3에 복사합니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation>
+                <numerusform>파일 %n개 삭제</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -4146,6 +4132,47 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>%1 · %2</source>
             <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::Timeline</name>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation>▲ 더 이상 백업이 아님</translation>
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation>
+                <numerusform>▲ 파일 %n개 없음</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation>완전함</translation>
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation>%1, 고정됨</translation>
+        </message>
+        <message>
+            <source>Taken</source>
+            <translation>백업 일시</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>변경 시각</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation>백업</translation>
         </message>
     </context>
     <context>
@@ -4362,6 +4389,11 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>Export values</source>
             <translation>값 내보내기</translation>
         </message>
+        <message>
+            <source>%1 stays as it is: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1은(는) 그대로 유지됩니다: %2</translation>
+        </message>
     </context>
     <context>
         <name>pages::VariableTransfer</name>
@@ -4560,10 +4592,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
     <context>
         <name>pendeskctl</name>
         <message>
-            <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation>파일 %1개를 복원했습니다. 새 백업은 %2입니다.</translation>
-        </message>
-        <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
             <translation>%1에서 중지했습니다. 원래 내용은 %2에 있습니다. 이 이름으로 그것을 “restore”하면 되돌아갑니다.</translation>
         </message>
@@ -4678,10 +4706,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>put: replace what the controller has.</source>
             <translation>put: 컨트롤러에 있는 것을 바꿉니다.</translation>
-        </message>
-        <message>
-            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation>파일의 목록 출력, 읽기, 송신, 삭제를 합니다. 송신한 파일은 다시 읽어 확인합니다. 파일을 삭제하기 전에 사본을 여기에 씁니다.</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
@@ -4882,6 +4906,44 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>Reads status, executing job, position and system information once.</source>
             <translation>상태, 실행 중인 잡, 위치, 시스템 정보를 한 번 읽습니다.</translation>
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need --yes.</source>
+            <translation>파일을 나열하고 읽고 보내고 삭제합니다. 보낸 파일은 다시 읽어 확인하며, 파일을 삭제하기 전에 여기에 사본을 씁니다. 이미 있는 파일은 get에서 --yes, put에서 --replace로 바꿉니다. put과 rm에는 --yes가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The controller lists no file that “%1” matches.</source>
+            <translation>컨트롤러 목록에 “%1”과(와) 일치하는 파일이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The controller is named with --host H, or with --profile NAME as Pendesk keeps it.</source>
+            <translation>컨트롤러는 --host H 또는 Pendesk에 저장된 --profile NAME으로 지정합니다.</translation>
+        </message>
+        <message>
+            <source>What changes something does nothing without --yes.</source>
+            <translation>무언가를 바꾸는 명령은 --yes 없이는 아무것도 하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Exit codes: 0 done, 1 differences, 2 wrong call, 3 no answer or outcome unknown, 4 refused,
+5 local file error, 6 verification failed, 7 done in part.</source>
+            <translation>종료 코드: 0 완료, 1 차이 있음, 2 잘못된 호출, 3 응답 없음 또는 결과 알 수 없음, 4 거부됨,
+5 로컬 파일 오류, 6 검증 불합격, 7 일부 완료.</translation>
+        </message>
+        <message>
+            <source>Nobody has verified how this controller numbers its variables (parameter RS022), so these may be their neighbours. --numbering 0 or --numbering 1 settles it.</source>
+            <translation>이 컨트롤러가 변수에 번호를 매기는 방식(파라미터 RS022)이 확인되지 않았으므로 이웃 변수일 수 있습니다. --numbering 0 또는 --numbering 1로 정합니다.</translation>
+        </message>
+        <message>
+            <source>Print this and end.</source>
+            <translation>이 내용을 출력하고 끝냅니다.</translation>
+        </message>
+        <message>
+            <source>Files restored: %1. The fresh backup is %2.</source>
+            <translation>복원한 파일: %1. 새 백업은 %2입니다.</translation>
+        </message>
+        <message>
+            <source>The software of the controller is another than that with which the numbering was verified. Verify it again, or say --numbering 0 or --numbering 1.</source>
+            <translation>컨트롤러의 소프트웨어가 번호 방식을 확인했을 때와 다릅니다. 다시 확인하거나 --numbering 0 또는 --numbering 1을 지정하십시오.</translation>
         </message>
     </context>
     <context>
@@ -6142,6 +6204,31 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>ui::BackupAge</name>
+        <message>
+            <source>No backup</source>
+            <translation>백업 없음</translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n hour(s) old</source>
+            <translation>
+                <numerusform>백업 %n시간 전</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n day(s) old</source>
+            <translation>
+                <numerusform>백업 %n일 전</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Old backup: %n day(s)</source>
+            <translation>
+                <numerusform>오래된 백업: %n일</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ControllerView</name>
         <message>
             <source>%1 — %2</source>
@@ -6743,6 +6830,10 @@ HOLD는 네트워크를 통한 소프트웨어 홀드이며 안전 기능이 아
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: %2. %3</source>
+            <translation>%1: %2. %3</translation>
         </message>
     </context>
     <context>

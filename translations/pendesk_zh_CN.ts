@@ -2591,22 +2591,6 @@
     <context>
         <name>pages::BackupPage</name>
         <message>
-            <source>Taken</source>
-            <translation>备份时间</translation>
-        </message>
-        <message>
-            <source>Files</source>
-            <translation>文件</translation>
-        </message>
-        <message>
-            <source>Changed</source>
-            <translation>改变时间</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>状态</translation>
-        </message>
-        <message>
             <source>Backups</source>
             <translation>备份</translation>
         </message>
@@ -2642,18 +2626,6 @@
             <source>Compare</source>
             <translation>比较</translation>
         </message>
-        <message>
-            <source>File</source>
-            <translation>文件</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>变化</translation>
-        </message>
-        <message>
-            <source>Files that differ</source>
-            <translation>有差异的文件</translation>
-        </message>
         <message numerus="yes">
             <source>Good: every byte of %n file(s) is as it was written.</source>
             <translation>
@@ -2671,10 +2643,6 @@
         <message>
             <source>The last good backup and pinned ones are never deleted.</source>
             <translation>最后一个完好的备份和已固定的备份绝不会被删除。</translation>
-        </message>
-        <message>
-            <source>Comparison</source>
-            <translation>比较</translation>
         </message>
         <message>
             <source>Compare with</source>
@@ -2697,34 +2665,8 @@
             <translation>恢复…</translation>
         </message>
         <message>
-            <source>Not counted as a difference:</source>
-            <translation>不计为差异：</translation>
-        </message>
-        <message>
-            <source>Choose a backup and compare it.</source>
-            <translation>请选择一个备份并进行比较。</translation>
-        </message>
-        <message>
             <source>In %1</source>
             <translation>位于 %1</translation>
-        </message>
-        <message>
-            <source>▲ no backup any more</source>
-            <translation>▲ 已不是备份</translation>
-        </message>
-        <message numerus="yes">
-            <source>▲ %n file(s) missing</source>
-            <translation>
-                <numerusform>▲ 缺少 %n 个文件</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>complete</source>
-            <translation>完整</translation>
-        </message>
-        <message>
-            <source>%1, pinned</source>
-            <translation>%1，已固定</translation>
         </message>
         <message>
             <source>Unpin</source>
@@ -2773,38 +2715,12 @@
             <translation>已读取控制器的文件。</translation>
         </message>
         <message>
-            <source>≠ changed</source>
-            <translation>≠ 已改变</translation>
+            <source>Folder…</source>
+            <translation>文件夹…</translation>
         </message>
         <message>
-            <source>+ new</source>
-            <translation>+ 新增</translation>
-        </message>
-        <message>
-            <source>− gone</source>
-            <translation>− 已消失</translation>
-        </message>
-        <message>
-            <source>▲ not read, nobody knows</source>
-            <translation>▲ 未读取，情况未知</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) differ</source>
-            <translation>
-                <numerusform>%n 个文件有差异</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Choose a file above.</source>
-            <translation>请在上方选择一个文件。</translation>
-        </message>
-        <message>
-            <source>Nothing differs.</source>
-            <translation>没有差异。</translation>
-        </message>
-        <message>
-            <source>This file is not in the backup as it was written.</source>
-            <translation>该文件在备份中与写入时不同。</translation>
+            <source>Folder of the backups</source>
+            <translation>备份文件夹</translation>
         </message>
     </context>
     <context>
@@ -2848,6 +2764,67 @@
         <message>
             <source>%1, base frame, tool %2</source>
             <translation>%1，基座坐标，工具 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::ComparisonCard</name>
+        <message>
+            <source>≠ changed</source>
+            <translation>≠ 已改变</translation>
+        </message>
+        <message>
+            <source>+ new</source>
+            <translation>+ 新增</translation>
+        </message>
+        <message>
+            <source>− gone</source>
+            <translation>− 已消失</translation>
+        </message>
+        <message>
+            <source>▲ not read, nobody knows</source>
+            <translation>▲ 未读取，情况未知</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>比较</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>变化</translation>
+        </message>
+        <message>
+            <source>Files that differ</source>
+            <translation>有差异的文件</translation>
+        </message>
+        <message>
+            <source>Choose a backup and compare it.</source>
+            <translation>请选择一个备份并进行比较。</translation>
+        </message>
+        <message>
+            <source>Not counted as a difference:</source>
+            <translation>不计为差异：</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) differ</source>
+            <translation>
+                <numerusform>%n 个文件有差异</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose a file above.</source>
+            <translation>请在上方选择一个文件。</translation>
+        </message>
+        <message>
+            <source>Nothing differs.</source>
+            <translation>没有差异。</translation>
+        </message>
+        <message>
+            <source>This file is not in the backup as it was written.</source>
+            <translation>该文件在备份中与写入时不同。</translation>
         </message>
     </context>
     <context>
@@ -2929,22 +2906,6 @@
             <translation>删除…</translation>
         </message>
         <message>
-            <source>Transfers</source>
-            <translation>传输</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>Retry failed</source>
-            <translation>重试失败项</translation>
-        </message>
-        <message>
-            <source>Clear finished</source>
-            <translation>清除已完成项</translation>
-        </message>
-        <message>
             <source>There are no controller files in this folder.</source>
             <translation>此文件夹中没有控制器文件。</translation>
         </message>
@@ -2963,54 +2924,6 @@
         <message>
             <source>Choose files on the right first.</source>
             <translation>请先在右侧选择文件。</translation>
-        </message>
-        <message>
-            <source>Before sending</source>
-            <translation>发送之前</translation>
-        </message>
-        <message numerus="yes">
-            <source>Send %n file(s)</source>
-            <translation>
-                <numerusform>发送 %n 个文件</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>on this computer</source>
-            <translation>本计算机上</translation>
-        </message>
-        <message>
-            <source>on %1</source>
-            <translation>%1 上</translation>
-        </message>
-        <message>
-            <source>What would change in “%1”</source>
-            <translation>“%1”将有的变化</translation>
-        </message>
-        <message>
-            <source>Delete on %1</source>
-            <translation>在 %1 上删除</translation>
-        </message>
-        <message>
-            <source>These files are deleted on %1:
-%2
-Before that each is copied to %3.</source>
-            <translation>将在 %1 上删除以下文件：
-%2
-删除之前，每个文件都会复制到 %3。</translation>
-        </message>
-        <message numerus="yes">
-            <source>Delete %n file(s)</source>
-            <translation>
-                <numerusform>删除 %n 个文件</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>What changes in “%1” on %2</source>
-            <translation>%2 上“%1”的变化</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>发送</translation>
         </message>
     </context>
     <context>
@@ -3829,6 +3742,31 @@ Before that each is copied to %3.</source>
         </message>
     </context>
     <context>
+        <name>pages::Offers</name>
+        <message>
+            <source>Before sending</source>
+            <translation>发送之前</translation>
+        </message>
+        <message numerus="yes">
+            <source>Send %n file(s)</source>
+            <translation>
+                <numerusform>发送 %n 个文件</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>on this computer</source>
+            <translation>本计算机上</translation>
+        </message>
+        <message>
+            <source>on %1</source>
+            <translation>%1 上</translation>
+        </message>
+        <message>
+            <source>What would change in “%1”</source>
+            <translation>“%1”将有的变化</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::OptionsCard</name>
         <message>
             <source>always: the button above, the Pause key or Ctrl+Shift+H.</source>
@@ -3939,6 +3877,25 @@ Before that each is copied to %3.</source>
         </message>
     </context>
     <context>
+        <name>pages::QueueCard</name>
+        <message>
+            <source>Transfers</source>
+            <translation>传输</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Retry failed</source>
+            <translation>重试失败项</translation>
+        </message>
+        <message>
+            <source>Clear finished</source>
+            <translation>清除已完成项</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::RegistersPage</name>
         <message>
             <source>How registers are written</source>
@@ -3963,6 +3920,35 @@ Before that each is copied to %3.</source>
         <message>
             <source>M000 to M559 can be written; the others belong to the ladder.</source>
             <translation>M000 至 M559 可以写入；其余属于梯形图。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::RemoteChanges</name>
+        <message>
+            <source>What changes in “%1” on %2</source>
+            <translation>%2 上“%1”的变化</translation>
+        </message>
+        <message>
+            <source>Send</source>
+            <translation>发送</translation>
+        </message>
+        <message>
+            <source>Delete on %1</source>
+            <translation>在 %1 上删除</translation>
+        </message>
+        <message>
+            <source>These files are deleted on %1:
+%2
+Before that each is copied to %3.</source>
+            <translation>将在 %1 上删除以下文件：
+%2
+删除之前，每个文件都会复制到 %3。</translation>
+        </message>
+        <message numerus="yes">
+            <source>Delete %n file(s)</source>
+            <translation>
+                <numerusform>删除 %n 个文件</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -4146,6 +4132,47 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>%1 · %2</source>
             <translation>%1 · %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::Timeline</name>
+        <message>
+            <source>▲ no backup any more</source>
+            <translation>▲ 已不是备份</translation>
+        </message>
+        <message numerus="yes">
+            <source>▲ %n file(s) missing</source>
+            <translation>
+                <numerusform>▲ 缺少 %n 个文件</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>complete</source>
+            <translation>完整</translation>
+        </message>
+        <message>
+            <source>%1, pinned</source>
+            <translation>%1，已固定</translation>
+        </message>
+        <message>
+            <source>Taken</source>
+            <translation>备份时间</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>改变时间</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>Backups</source>
+            <translation>备份</translation>
         </message>
     </context>
     <context>
@@ -4362,6 +4389,11 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>Export values</source>
             <translation>导出值</translation>
         </message>
+        <message>
+            <source>%1 stays as it is: %2</source>
+            <comment>variable: reason</comment>
+            <translation>%1 保持不变：%2</translation>
+        </message>
     </context>
     <context>
         <name>pages::VariableTransfer</name>
@@ -4560,10 +4592,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
     <context>
         <name>pendeskctl</name>
         <message>
-            <source>%1 files were restored. The fresh backup is %2.</source>
-            <translation>已恢复 %1 个文件。新的备份为 %2。</translation>
-        </message>
-        <message>
             <source>It stopped at %1. As it was it is in %2; “restore” that one with this name puts it back.</source>
             <translation>停止于 %1。其之前的内容在 %2 中；对该备份使用此名称执行“restore”可将其放回。</translation>
         </message>
@@ -4678,10 +4706,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>put: replace what the controller has.</source>
             <translation>put：替换控制器上已有的文件。</translation>
-        </message>
-        <message>
-            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here.</source>
-            <translation>列出、读取、发送和删除文件。发送的文件会被回读；删除文件之前，会在此处写入副本。</translation>
         </message>
         <message>
             <source>Say “ls”, “get NAME…”, “put FILE…” or “rm NAME…”.</source>
@@ -4882,6 +4906,44 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>Reads status, executing job, position and system information once.</source>
             <translation>读取一次状态、执行中的程序、位置和系统信息。</translation>
+        </message>
+        <message>
+            <source>Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need --yes.</source>
+            <translation>列出、读取、发送和删除文件。发送的文件会被读回；删除文件之前会在此处写入副本。已存在的文件：get 加 --yes 时替换，put 加 --replace 时替换；put 和 rm 需要 --yes。</translation>
+        </message>
+        <message>
+            <source>The controller lists no file that “%1” matches.</source>
+            <translation>控制器的列表中没有与“%1”匹配的文件。</translation>
+        </message>
+        <message>
+            <source>The controller is named with --host H, or with --profile NAME as Pendesk keeps it.</source>
+            <translation>用 --host H 指定控制器，或用 --profile NAME 指定 Pendesk 中保存的控制器。</translation>
+        </message>
+        <message>
+            <source>What changes something does nothing without --yes.</source>
+            <translation>会作出更改的操作在没有 --yes 时不执行任何动作。</translation>
+        </message>
+        <message>
+            <source>Exit codes: 0 done, 1 differences, 2 wrong call, 3 no answer or outcome unknown, 4 refused,
+5 local file error, 6 verification failed, 7 done in part.</source>
+            <translation>退出码：0 完成，1 有差异，2 调用错误，3 无应答或结果未知，4 被拒绝，
+5 本地文件错误，6 校验未通过，7 部分完成。</translation>
+        </message>
+        <message>
+            <source>Nobody has verified how this controller numbers its variables (parameter RS022), so these may be their neighbours. --numbering 0 or --numbering 1 settles it.</source>
+            <translation>尚未有人核实该控制器如何为变量编号（参数 RS022），因此这些可能是相邻的变量。用 --numbering 0 或 --numbering 1 确定。</translation>
+        </message>
+        <message>
+            <source>Print this and end.</source>
+            <translation>打印此内容并结束。</translation>
+        </message>
+        <message>
+            <source>Files restored: %1. The fresh backup is %2.</source>
+            <translation>已恢复的文件：%1。新的备份为 %2。</translation>
+        </message>
+        <message>
+            <source>The software of the controller is another than that with which the numbering was verified. Verify it again, or say --numbering 0 or --numbering 1.</source>
+            <translation>控制器的软件与核实编号时的软件不同。请重新核实，或指定 --numbering 0 或 --numbering 1。</translation>
         </message>
     </context>
     <context>
@@ -6142,6 +6204,31 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>ui::BackupAge</name>
+        <message>
+            <source>No backup</source>
+            <translation>无备份</translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n hour(s) old</source>
+            <translation>
+                <numerusform>备份于 %n 小时前</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Backup %n day(s) old</source>
+            <translation>
+                <numerusform>备份于 %n 天前</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Old backup: %n day(s)</source>
+            <translation>
+                <numerusform>备份已旧：%n 天</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ControllerView</name>
         <message>
             <source>%1 — %2</source>
@@ -6743,6 +6830,10 @@ HOLD 是通过网络执行的软件 HOLD，不是安全功能。</translation>
         <message>
             <source>%1: %2</source>
             <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>%1: %2. %3</source>
+            <translation>%1: %2. %3</translation>
         </message>
     </context>
     <context>
