@@ -19,6 +19,7 @@ qt6-translations-l10n
 qt6-svg-dev libqt6svg6-dev
 qt6-wayland
 libexpected-dev libtl-expected-dev
+libarchive-dev
 fonts-inter
 fonts-dejavu-core
 '

@@ -2745,6 +2745,30 @@
             <source>Folder of the backups</source>
             <translation>Ordner der Sicherungen</translation>
         </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportieren…</translation>
+        </message>
+        <message>
+            <source>Exported.</source>
+            <translation>Exportiert.</translation>
+        </message>
+        <message>
+            <source>▲ Not exported: %1</source>
+            <translation>▲ Nicht exportiert: %1</translation>
+        </message>
+        <message>
+            <source>Export the backup</source>
+            <translation>Sicherung exportieren</translation>
+        </message>
+        <message>
+            <source>Zip files (*.zip)</source>
+            <translation>Zip-Dateien (*.zip)</translation>
+        </message>
+        <message>
+            <source>Exporting to %1…</source>
+            <translation>Wird nach %1 exportiert…</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>

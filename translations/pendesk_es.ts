@@ -2745,6 +2745,30 @@
             <source>Folder of the backups</source>
             <translation>Carpeta de las copias de seguridad</translation>
         </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportar…</translation>
+        </message>
+        <message>
+            <source>Exported.</source>
+            <translation>Exportada.</translation>
+        </message>
+        <message>
+            <source>▲ Not exported: %1</source>
+            <translation>▲ No exportada: %1</translation>
+        </message>
+        <message>
+            <source>Export the backup</source>
+            <translation>Exportar la copia de seguridad</translation>
+        </message>
+        <message>
+            <source>Zip files (*.zip)</source>
+            <translation>Archivos zip (*.zip)</translation>
+        </message>
+        <message>
+            <source>Exporting to %1…</source>
+            <translation>Exportando a %1…</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>

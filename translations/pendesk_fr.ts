@@ -2745,6 +2745,30 @@
             <source>Folder of the backups</source>
             <translation>Dossier des sauvegardes</translation>
         </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exporter…</translation>
+        </message>
+        <message>
+            <source>Exported.</source>
+            <translation>Exportée.</translation>
+        </message>
+        <message>
+            <source>▲ Not exported: %1</source>
+            <translation>▲ Non exportée : %1</translation>
+        </message>
+        <message>
+            <source>Export the backup</source>
+            <translation>Exporter la sauvegarde</translation>
+        </message>
+        <message>
+            <source>Zip files (*.zip)</source>
+            <translation>Fichiers zip (*.zip)</translation>
+        </message>
+        <message>
+            <source>Exporting to %1…</source>
+            <translation>Exportation vers %1…</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>

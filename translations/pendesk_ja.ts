@@ -2722,6 +2722,30 @@
             <source>Folder of the backups</source>
             <translation>バックアップのフォルダ</translation>
         </message>
+        <message>
+            <source>Export…</source>
+            <translation>エクスポート…</translation>
+        </message>
+        <message>
+            <source>Exported.</source>
+            <translation>エクスポートしました。</translation>
+        </message>
+        <message>
+            <source>▲ Not exported: %1</source>
+            <translation>▲ エクスポートできませんでした: %1</translation>
+        </message>
+        <message>
+            <source>Export the backup</source>
+            <translation>バックアップのエクスポート</translation>
+        </message>
+        <message>
+            <source>Zip files (*.zip)</source>
+            <translation>Zip ファイル (*.zip)</translation>
+        </message>
+        <message>
+            <source>Exporting to %1…</source>
+            <translation>%1 にエクスポートしています…</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>

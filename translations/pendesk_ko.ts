@@ -2722,6 +2722,30 @@
             <source>Folder of the backups</source>
             <translation>백업 폴더</translation>
         </message>
+        <message>
+            <source>Export…</source>
+            <translation>내보내기…</translation>
+        </message>
+        <message>
+            <source>Exported.</source>
+            <translation>내보냈습니다.</translation>
+        </message>
+        <message>
+            <source>▲ Not exported: %1</source>
+            <translation>▲ 내보내지 못했습니다: %1</translation>
+        </message>
+        <message>
+            <source>Export the backup</source>
+            <translation>백업 내보내기</translation>
+        </message>
+        <message>
+            <source>Zip files (*.zip)</source>
+            <translation>Zip 파일 (*.zip)</translation>
+        </message>
+        <message>
+            <source>Exporting to %1…</source>
+            <translation>%1(으)로 내보내는 중…</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>

@@ -2722,6 +2722,30 @@
             <source>Folder of the backups</source>
             <translation>备份文件夹</translation>
         </message>
+        <message>
+            <source>Export…</source>
+            <translation>导出…</translation>
+        </message>
+        <message>
+            <source>Exported.</source>
+            <translation>已导出。</translation>
+        </message>
+        <message>
+            <source>▲ Not exported: %1</source>
+            <translation>▲ 未导出：%1</translation>
+        </message>
+        <message>
+            <source>Export the backup</source>
+            <translation>导出备份</translation>
+        </message>
+        <message>
+            <source>Zip files (*.zip)</source>
+            <translation>Zip 文件 (*.zip)</translation>
+        </message>
+        <message>
+            <source>Exporting to %1…</source>
+            <translation>正在导出到 %1…</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>

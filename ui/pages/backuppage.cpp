@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/backuppage.h"
 
+#include "files/zip.h"
 #include "protocol/codes.h"
 #include "settings/profilestore.h"
 #include "ui/dialogs/restoredialog.h"
@@ -52,6 +53,7 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
       m_backUp {button(tr("Back up now"), "backUp")},
       m_verify {button(tr("Verify"), "verifyBackup")},
       m_pin {button(tr("Pin"), "pinBackup")},
+      m_export {button(tr("Export…"), "exportBackup")},
       m_with {new QComboBox},
       m_compare {button(tr("Compare"), "compareBackups")},
       m_restore {new widgets::OrderButton(context.orders, Act::Restore)},
@@ -69,6 +71,12 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
     connect(m_backUp, &QPushButton::clicked, this, &BackupPage::backUp);
     connect(m_verify, &QPushButton::clicked, this, &BackupPage::verifyChosen);
     connect(m_pin, &QPushButton::clicked, this, &BackupPage::togglePin);
+    connect(m_export, &QPushButton::clicked, this, &BackupPage::exportChosen);
+    connect(&m_exporting, &QFutureWatcherBase::finished, this, [this] {
+        const auto written = m_exporting.result();
+        say(written ? tr("Exported.") : tr("▲ Not exported: %1").arg(protocol::explain(written.error())));
+        updateButtons();
+    });
     connect(m_compare, &QPushButton::clicked, this, &BackupPage::compareChosen);
     connect(m_restore, &widgets::OrderButton::clicked, this, &BackupPage::planRestore);
     connect(&m_verifying, &QFutureWatcherBase::finished, this, [this] {
@@ -98,7 +106,7 @@ QWidget *BackupPage::timelineCard()
     connect(folder, &QPushButton::clicked, this, &BackupPage::chooseFolder);
     m_state->setObjectName(QStringLiteral("backupState"));
     auto *buttons = new QHBoxLayout;
-    for (QPushButton *each : {m_backUp, m_verify, m_pin})
+    for (QPushButton *each : {m_backUp, m_verify, m_pin, m_export})
         buttons->addWidget(each);
     buttons->addStretch();
     buttons->addWidget(folder);
@@ -178,6 +186,7 @@ void BackupPage::updateButtons()
     const bool isBusy = (m_backup && !m_backup->isOver()) || (m_snapshot && !m_snapshot->isOver());
     m_backUp->setEnabled(m_isUp && !isBusy);
     m_verify->setEnabled(entry && !m_verifying.isRunning());
+    m_export->setEnabled(entry && !m_exporting.isRunning());
     m_pin->setEnabled(entry.has_value());
     m_pin->setText(entry && entry->isPinned ? tr("Unpin") : tr("Pin"));
     m_compare->setEnabled(entry && entry->isReadable && !isBusy);
@@ -228,6 +237,27 @@ void BackupPage::onBackedUp()
     else
         say(tr("All %n file(s) were backed up.", nullptr, all));
     reload();
+}
+
+void BackupPage::exportChosen()
+{
+    const auto entry = m_timeline->chosen();
+    if (!entry)
+        return;
+    const QString name = QDir::home().filePath(entry->id + QStringLiteral(".zip"));
+    const QString target = QFileDialog::getSaveFileName(this, tr("Export the backup"), name, tr("Zip files (*.zip)"));
+    if (!target.isEmpty())
+        exportTo(target);
+}
+
+void BackupPage::exportTo(const QString &target)
+{
+    const auto entry = m_timeline->chosen();
+    if (!entry || m_exporting.isRunning())
+        return;
+    say(tr("Exporting to %1…").arg(QDir::toNativeSeparators(target)));
+    m_exporting.setFuture(QtConcurrent::run(files::writeZip, entry->path, target));
+    updateButtons();
 }
 
 void BackupPage::verifyChosen()

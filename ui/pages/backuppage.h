@@ -37,6 +37,8 @@ public:
     void setRoot(const QString &root);
     /// Reads the folder again.
     void reload();
+    /// Packs the chosen backup into one .zip file.
+    void exportTo(const QString &target);
 
 protected:
     /// The backups of a known controller can be looked at without it.
@@ -56,6 +58,7 @@ private:
     void onBackedUp();
     void verifyChosen();
     void togglePin();
+    void exportChosen();
     void compareChosen();
     void readController(const std::function<void(const files::FileSet &)> &handler);
     void planRestore();
@@ -66,6 +69,7 @@ private:
     QString m_root;
     bool m_isUp = false;
     QFutureWatcher<files::Verification> m_verifying;
+    QFutureWatcher<values::Result<void>> m_exporting;
     std::unique_ptr<files::Backup> m_backup;
     std::unique_ptr<files::Snapshot> m_snapshot;
 
@@ -76,6 +80,7 @@ private:
     QPushButton *m_backUp;
     QPushButton *m_verify;
     QPushButton *m_pin;
+    QPushButton *m_export;
     QComboBox *m_with;
     QPushButton *m_compare;
     widgets::OrderButton *m_restore;

@@ -220,6 +220,9 @@ void TestFilePages::backsUpAndCompares()
     QTest::mouseClick(find<QPushButton>(page, "pinBackup"), Qt::LeftButton);
     QTRY_VERIFY(timeline->topLevelItem(0)->text(3).contains(QStringLiteral("pinned")));
     desk.picture(&desk.window, "comparison");
+    page->exportTo(desk.local("backup.zip"));
+    QTRY_COMPARE(find<QLabel>(page, "backupState")->text(), QStringLiteral("Exported."));
+    QVERIFY(files::readFile(desk.local("backup.zip")).value_or({}).startsWith("PK"));
 }
 
 void TestFilePages::restores()

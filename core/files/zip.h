@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "values/error.h"
+#include <QString>
+
+namespace files {
+
+/// Packs a folder with everything in it into one .zip file, in the order of the names and under the name of the folder.
+/// What stood at `target` is replaced by the whole file or stays as it was. LocalFile says which file and why.
+[[nodiscard]] values::Result<void> writeZip(const QString &folder, const QString &target);
+
+} // namespace files
