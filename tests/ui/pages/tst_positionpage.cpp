@@ -42,10 +42,14 @@ struct Desk : Harness {
         return true;
     }
     bool openAtRest(const AxisWords &at = pose) { return startAtRest(at) && open(profile()); }
+    /// On this page: another one shows the tool point too.
     template <typename Widget> [[nodiscard]] Widget *find(const char *name) const
     {
-        return window.view().findChild<Widget *>(QLatin1String(name));
+        const auto *page = window.view().findChild<QWidget *>(QStringLiteral("positionPage"));
+        return page->findChild<Widget *>(QLatin1String(name));
     }
+    [[nodiscard]] widgets::ValueLabel *value(const char *name) const { return find<widgets::ValueLabel>(name); }
+    [[nodiscard]] QString word(const char *name) const { return value(name) ? value(name)->text() : QString(); }
     void click(const char *name) const { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
     [[nodiscard]] QStringList tabs() const
     {
