@@ -178,6 +178,8 @@ void TrendPageTest::removes()
     QVERIFY(desk.open());
     desk.drop({torque, servo});
     auto *table = desk.find<QTableView>("trackTable");
+    desk.window.activateWindow();
+    QTRY_VERIFY(desk.window.isActiveWindow()); // else the key is nobody's shortcut
     table->setFocus();
     table->selectRow(0);
     QTest::keyClick(table, Qt::Key_Delete);
