@@ -58,9 +58,11 @@ public:
     {
         return page()->findChild<QAbstractItemView *>(QStringLiteral("jobList"));
     }
+    /// On the page first: other pages can be armed too.
     template <typename Widget = QWidget> [[nodiscard]] Widget *find(const char *name) const
     {
-        return window.findChild<Widget *>(QLatin1String(name));
+        auto *found = page()->findChild<Widget *>(QLatin1String(name));
+        return found ? found : window.findChild<Widget *>(QLatin1String(name));
     }
     void click(const char *name) const { QTest::mouseClick(find(name), Qt::LeftButton); }
     [[nodiscard]] QString text(const char *name) const { return find<QLabel>(name)->text(); }
