@@ -7,6 +7,54 @@
             <source> or </source>
             <translation> oder </translation>
         </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (Software)</translation>
+        </message>
+        <message>
+            <source>Access level…</source>
+            <translation>Zugriffsstufe…</translation>
+        </message>
+        <message>
+            <source>Open this page in its own window</source>
+            <translation>Diese Seite in eigenem Fenster öffnen</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>Verbinden…</translation>
+        </message>
+        <message>
+            <source>Connect to this controller</source>
+            <translation>Mit dieser Steuerung verbinden</translation>
+        </message>
+        <message>
+            <source>Disconnect</source>
+            <translation>Verbindung trennen</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>Demo öffnen</translation>
+        </message>
+        <message>
+            <source>Diagnose…</source>
+            <translation>Diagnose…</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>Diagnose kopieren</translation>
+        </message>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>Tastenkürzel</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>Über Pendesk</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>Beenden</translation>
+        </message>
     </context>
     <context>
         <name>Alarms</name>
@@ -231,6 +279,394 @@
             <source>another controller was armed</source>
             <translation>eine andere Steuerung wurde scharf geschaltet</translation>
         </message>
+        <message>
+            <source>The link to the controller is up</source>
+            <translation>Die Verbindung zur Steuerung steht</translation>
+        </message>
+        <message>
+            <source>The access level is Operate or Engineer</source>
+            <translation>Die Zugriffsstufe ist Bedienen oder Einrichten</translation>
+        </message>
+        <message>
+            <source>The access level is Engineer</source>
+            <translation>Die Zugriffsstufe ist Einrichten</translation>
+        </message>
+        <message>
+            <source>The status is fresh</source>
+            <translation>Der Status ist aktuell</translation>
+        </message>
+        <message>
+            <source>This controller is armed</source>
+            <translation>Diese Steuerung ist scharf</translation>
+        </message>
+        <message>
+            <source>REMOTE is on</source>
+            <translation>REMOTE ist eingeschaltet</translation>
+        </message>
+        <message>
+            <source>The mode is PLAY</source>
+            <translation>Die Betriebsart ist PLAY</translation>
+        </message>
+        <message>
+            <source>The mode is not TEACH</source>
+            <translation>Die Betriebsart ist nicht TEACH</translation>
+        </message>
+        <message>
+            <source>There is no alarm</source>
+            <translation>Es liegt kein Alarm an</translation>
+        </message>
+        <message>
+            <source>There is no error</source>
+            <translation>Es liegt kein Fehler an</translation>
+        </message>
+        <message>
+            <source>Not held by the pendant</source>
+            <translation>Nicht vom Programmierhandgerät gehalten</translation>
+        </message>
+        <message>
+            <source>Not held by an external signal</source>
+            <translation>Nicht von einem externen Signal gehalten</translation>
+        </message>
+        <message>
+            <source>Not held by a command</source>
+            <translation>Nicht von einem Befehl gehalten</translation>
+        </message>
+        <message>
+            <source>Held by a command</source>
+            <translation>Von einem Befehl gehalten</translation>
+        </message>
+        <message>
+            <source>Servo power is on</source>
+            <translation>Servo ist eingeschaltet</translation>
+        </message>
+        <message>
+            <source>No job is running</source>
+            <translation>Es läuft kein Job</translation>
+        </message>
+        <message>
+            <source>A job is selected</source>
+            <translation>Ein Job ist gewählt</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is verified</source>
+            <translation>Die Nummerierung der Variablen ist geprüft</translation>
+        </message>
+        <message>
+            <source>The model takes move orders</source>
+            <translation>Das Modell nimmt Bewegungsbefehle an</translation>
+        </message>
+        <message>
+            <source>The safety circuit is closed</source>
+            <translation>Der Sicherheitskreis ist geschlossen</translation>
+        </message>
+        <message>
+            <source>Not held by a playback panel</source>
+            <translation>Nicht von einem Playback-Bedienfeld gehalten</translation>
+        </message>
+        <message>
+            <source>Home position and position check are confirmed</source>
+            <translation>Home-Position und Positionsprüfung sind bestätigt</translation>
+        </message>
+        <message>
+            <source>Starting is not locked at the panel</source>
+            <translation>Der Start ist am Bedienfeld nicht gesperrt</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are not locked at the panel</source>
+            <translation>Betriebsart und Zyklus sind am Bedienfeld nicht gesperrt</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is permitted</source>
+            <translation>Das Wählen eines Jobs in REMOTE und PLAY ist zugelassen</translation>
+        </message>
+        <message>
+            <source>Changing the master job is permitted</source>
+            <translation>Das Ändern des Masterjobs ist zugelassen</translation>
+        </message>
+        <message>
+            <source>The job exists on the controller</source>
+            <translation>Der Job ist auf der Steuerung vorhanden</translation>
+        </message>
+        <message>
+            <source>Nothing is being edited at the pendant</source>
+            <translation>Am Programmierhandgerät wird nichts bearbeitet</translation>
+        </message>
+        <message>
+            <source>No other function uses the files</source>
+            <translation>Keine andere Funktion benutzt die Dateien</translation>
+        </message>
+        <message>
+            <source>The data are not protected</source>
+            <translation>Die Daten sind nicht geschützt</translation>
+        </message>
+        <message>
+            <source>Replacing existing files is permitted</source>
+            <translation>Das Ersetzen vorhandener Dateien ist zugelassen</translation>
+        </message>
+        <message>
+            <source>There is no link to the controller</source>
+            <translation>Es besteht keine Verbindung zur Steuerung</translation>
+        </message>
+        <message>
+            <source>connect, or wait until it answers again</source>
+            <translation>verbinden oder warten, bis sie wieder antwortet</translation>
+        </message>
+        <message>
+            <source>The access level is Monitor</source>
+            <translation>Die Zugriffsstufe ist Beobachten</translation>
+        </message>
+        <message>
+            <source>switch to Operate in the strip (Ctrl+L)</source>
+            <translation>in der Leiste auf Bedienen umschalten (Strg+L)</translation>
+        </message>
+        <message>
+            <source>The access level is not Engineer</source>
+            <translation>Die Zugriffsstufe ist nicht Einrichten</translation>
+        </message>
+        <message>
+            <source>switch to Engineer in the strip (Ctrl+L)</source>
+            <translation>in der Leiste auf Einrichten umschalten (Strg+L)</translation>
+        </message>
+        <message>
+            <source>The status was not read just now</source>
+            <translation>Der Status ist nicht aktuell</translation>
+        </message>
+        <message>
+            <source>wait a moment; if it stays so, look at the link</source>
+            <translation>einen Moment warten; bleibt es so, die Verbindung prüfen</translation>
+        </message>
+        <message>
+            <source>This controller is not armed</source>
+            <translation>Diese Steuerung ist nicht scharf</translation>
+        </message>
+        <message>
+            <source>arm it on this page</source>
+            <translation>auf dieser Seite scharf schalten</translation>
+        </message>
+        <message>
+            <source>REMOTE is off</source>
+            <translation>REMOTE ist ausgeschaltet</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and switch on CMD REMOTE SEL: %1</source>
+            <translation>den Schlüsselschalter des Programmierhandgeräts auf REMOTE drehen und CMD REMOTE SEL einschalten: %1</translation>
+        </message>
+        <message>
+            <source>The mode is not PLAY</source>
+            <translation>Die Betriebsart ist nicht PLAY</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to PLAY or REMOTE</source>
+            <translation>den Schlüsselschalter des Programmierhandgeräts auf PLAY oder REMOTE drehen</translation>
+        </message>
+        <message>
+            <source>The controller is in TEACH</source>
+            <translation>Die Steuerung ist in TEACH</translation>
+        </message>
+        <message>
+            <source>the person at the pendant has the robot: turn the key to REMOTE when that is over</source>
+            <translation>die Person am Programmierhandgerät hat den Roboter: den Schlüsselschalter erst auf REMOTE drehen, wenn das beendet ist</translation>
+        </message>
+        <message>
+            <source>There is an alarm</source>
+            <translation>Es liegt ein Alarm an</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset it on the Alarms page</source>
+            <translation>die Ursache beseitigen, dann den Alarm auf der Seite Alarme zurücksetzen</translation>
+        </message>
+        <message>
+            <source>There is an error</source>
+            <translation>Es liegt ein Fehler an</translation>
+        </message>
+        <message>
+            <source>read it on the Alarms page, then cancel it</source>
+            <translation>den Fehler auf der Seite Alarme lesen, dann löschen</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>Vom Programmierhandgerät gehalten</translation>
+        </message>
+        <message>
+            <source>release it there</source>
+            <translation>dort aufheben</translation>
+        </message>
+        <message>
+            <source>Held by an external signal</source>
+            <translation>Von einem externen Signal gehalten</translation>
+        </message>
+        <message>
+            <source>release it where that signal comes from</source>
+            <translation>dort aufheben, wo dieses Signal herkommt</translation>
+        </message>
+        <message>
+            <source>release HOLD on the Jobs page</source>
+            <translation>HOLD auf der Seite Jobs aufheben</translation>
+        </message>
+        <message>
+            <source>No command holds the robot</source>
+            <translation>Kein Befehl hält den Roboter</translation>
+        </message>
+        <message>
+            <source>there is nothing to release from here</source>
+            <translation>von hier aus ist nichts aufzuheben</translation>
+        </message>
+        <message>
+            <source>Servo power is off</source>
+            <translation>Servo ist ausgeschaltet</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>Servo einschalten</translation>
+        </message>
+        <message>
+            <source>A job is running</source>
+            <translation>Ein Job läuft</translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or hold it</source>
+            <translation>warten, bis er beendet ist, oder ihn mit HOLD anhalten</translation>
+        </message>
+        <message>
+            <source>No job is selected</source>
+            <translation>Es ist kein Job gewählt</translation>
+        </message>
+        <message>
+            <source>select one on the Jobs page</source>
+            <translation>auf der Seite Jobs einen wählen</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is not verified</source>
+            <translation>Die Nummerierung der Variablen ist nicht geprüft</translation>
+        </message>
+        <message>
+            <source>compare two variables with the pendant (Variables page)</source>
+            <translation>zwei Variablen mit dem Programmierhandgerät vergleichen (Seite Variablen)</translation>
+        </message>
+        <message>
+            <source>This model takes no move orders</source>
+            <translation>Dieses Modell nimmt keine Bewegungsbefehle an</translation>
+        </message>
+        <message>
+            <source>move it with the pendant</source>
+            <translation>mit dem Programmierhandgerät bewegen</translation>
+        </message>
+        <message>
+            <source>The safety circuit is open</source>
+            <translation>Der Sicherheitskreis ist offen</translation>
+        </message>
+        <message>
+            <source>look at emergency stops, doors and the enabling switch</source>
+            <translation>Not-Halt-Taster, Türen und Zustimmungsschalter prüfen</translation>
+        </message>
+        <message>
+            <source>Held by a playback panel</source>
+            <translation>Von einem Playback-Bedienfeld gehalten</translation>
+        </message>
+        <message>
+            <source>Home position or position check is missing</source>
+            <translation>Home-Position oder Positionsprüfung fehlt</translation>
+        </message>
+        <message>
+            <source>confirm the position at the pendant</source>
+            <translation>die Position am Programmierhandgerät bestätigen</translation>
+        </message>
+        <message>
+            <source>Starting is locked at the panel</source>
+            <translation>Der Start ist am Bedienfeld gesperrt</translation>
+        </message>
+        <message>
+            <source>release the start lock (I/O or panel prohibit) at the cell</source>
+            <translation>die Startsperre (E/A oder Verbot am Bedienfeld) an der Zelle aufheben</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are locked at the panel</source>
+            <translation>Betriebsart und Zyklus sind am Bedienfeld gesperrt</translation>
+        </message>
+        <message>
+            <source>release the panel lock (I/O or panel prohibit) at the cell</source>
+            <translation>die Bedienfeldsperre (E/A oder Verbot am Bedienfeld) an der Zelle aufheben</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is prohibited</source>
+            <translation>Das Wählen eines Jobs in REMOTE und PLAY ist verboten</translation>
+        </message>
+        <message>
+            <source>set “job select when remote and play” to permit: %1</source>
+            <translation>„job select when remote and play“ auf „permit“ stellen: %1</translation>
+        </message>
+        <message>
+            <source>Changing the master job is prohibited</source>
+            <translation>Das Ändern des Masterjobs ist verboten</translation>
+        </message>
+        <message>
+            <source>permit it at the pendant (master call, teach lock): %1</source>
+            <translation>am Programmierhandgerät zulassen (Masteraufruf, Teach-Sperre): %1</translation>
+        </message>
+        <message>
+            <source>The job is not on the controller</source>
+            <translation>Der Job ist nicht auf der Steuerung</translation>
+        </message>
+        <message>
+            <source>read the list of jobs again</source>
+            <translation>die Jobliste neu lesen</translation>
+        </message>
+        <message>
+            <source>Something is being edited at the pendant</source>
+            <translation>Am Programmierhandgerät wird etwas bearbeitet</translation>
+        </message>
+        <message>
+            <source>leave the editor there</source>
+            <translation>dort den Editor verlassen</translation>
+        </message>
+        <message>
+            <source>Another function uses the files</source>
+            <translation>Eine andere Funktion benutzt die Dateien</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>gleich noch einmal versuchen</translation>
+        </message>
+        <message>
+            <source>The data are protected</source>
+            <translation>Die Daten sind geschützt</translation>
+        </message>
+        <message>
+            <source>release the protection at the pendant</source>
+            <translation>den Schutz am Programmierhandgerät aufheben</translation>
+        </message>
+        <message>
+            <source>Replacing files is not permitted</source>
+            <translation>Das Ersetzen von Dateien ist nicht zugelassen</translation>
+        </message>
+        <message>
+            <source>set the parameters RS029 and RS214 to 1: %1</source>
+            <translation>die Parameter RS029 und RS214 auf 1 setzen: %1</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION COND. oder FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION COND. oder TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION ENABLE oder TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>PARAMETER, RS (management mode)</source>
+            <translation>PARAMETER, RS (Managementmodus)</translation>
+        </message>
     </context>
     <context>
         <name>LinkView</name>
@@ -302,6 +738,29 @@
         </message>
     </context>
     <context>
+        <name>Noise</name>
+        <message>
+            <source>Date of the last change of a job (///DATE)</source>
+            <translation>Datum der letzten Änderung eines Jobs (///DATE)</translation>
+        </message>
+        <message>
+            <source>Dates and times of day, such as 2026/01/31 08:30</source>
+            <translation>Datumsangaben und Uhrzeiten, zum Beispiel 2026/01/31 08:30</translation>
+        </message>
+        <message>
+            <source>Operating time counters, such as 18:19'02</source>
+            <translation>Betriebszeitzähler, zum Beispiel 18:19'02</translation>
+        </message>
+        <message>
+            <source>Blanks at the end of a line</source>
+            <translation>Leerzeichen am Ende einer Zeile</translation>
+        </message>
+        <message>
+            <source>Line ends: CR LF or LF, and whether the last line has one</source>
+            <translation>Zeilenenden: CR LF oder LF, und ob die letzte Zeile eines hat</translation>
+        </message>
+    </context>
+    <context>
         <name>OrderRecords</name>
         <message>
             <source>✓ done</source>
@@ -318,6 +777,57 @@
         <message>
             <source>□ not sent</source>
             <translation>□ nicht gesendet</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Overview</source>
+            <translation>Übersicht</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarme</translation>
+        </message>
+        <message>
+            <source>I/O</source>
+            <translation>E/A</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>Register</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>Variablen</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Position</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>Tippbetrieb und Bewegen</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>Trend</translation>
+        </message>
+        <message>
+            <source>Jobs</source>
+            <translation>Jobs</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Dateien</translation>
+        </message>
+        <message>
+            <source>Backup</source>
+            <translation>Sicherung</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>Journal</translation>
         </message>
     </context>
     <context>
@@ -1184,7 +1694,7 @@
         </message>
         <message>
             <source>Type</source>
-            <translation>Art</translation>
+            <translation>Typ</translation>
         </message>
         <message>
             <source>Stage</source>
@@ -1912,6 +2422,53 @@
         <message>
             <source>%1, favourite</source>
             <translation>%1, Favorit</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::OrderModel</name>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Steuerung</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Was</translation>
+        </message>
+        <message>
+            <source>Of</source>
+            <translation>Wovon</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Änderung</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Ausgang</translation>
+        </message>
+        <message>
+            <source>Reply</source>
+            <translation>Antwort</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>Person</translation>
+        </message>
+        <message>
+            <source>Computer</source>
+            <translation>Rechner</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>Stufe</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>ms</translation>
         </message>
     </context>
     <context>
@@ -3136,6 +3693,22 @@
             <source>master task</source>
             <translation>Mastertask</translation>
         </message>
+        <message>
+            <source>Job</source>
+            <translation>Job</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Zeile</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Schritt</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>Geschwindigkeits-Override</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobListCard</name>
@@ -3412,7 +3985,7 @@
         </message>
         <message>
             <source>Time</source>
-            <translation>Dauer</translation>
+            <translation>Zeit</translation>
         </message>
         <message>
             <source>Search</source>
@@ -4135,6 +4708,46 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <message>
             <source>State</source>
             <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Lauf</translation>
+        </message>
+        <message>
+            <source>Hold · pendant</source>
+            <translation>HOLD · Handgerät</translation>
+        </message>
+        <message>
+            <source>Hold · external</source>
+            <translation>HOLD · extern</translation>
+        </message>
+        <message>
+            <source>Hold · command</source>
+            <translation>HOLD · Befehl</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarm</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>Geschwindigkeitsgrenze</translation>
         </message>
     </context>
     <context>
@@ -6487,6 +7100,30 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         <message>
             <source>not connected</source>
             <translation>nicht verbunden</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Lauf</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarm</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,54 @@
             <source> or </source>
             <translation> o </translation>
         </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (software)</translation>
+        </message>
+        <message>
+            <source>Access level…</source>
+            <translation>Nivel de acceso…</translation>
+        </message>
+        <message>
+            <source>Open this page in its own window</source>
+            <translation>Abrir esta página en su propia ventana</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>Conectar…</translation>
+        </message>
+        <message>
+            <source>Connect to this controller</source>
+            <translation>Conectar con este controlador</translation>
+        </message>
+        <message>
+            <source>Disconnect</source>
+            <translation>Desconectar</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>Abrir la demo</translation>
+        </message>
+        <message>
+            <source>Diagnose…</source>
+            <translation>Diagnóstico…</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>Copiar diagnóstico</translation>
+        </message>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>Atajos de teclado</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>Acerca de Pendesk</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>Salir</translation>
+        </message>
     </context>
     <context>
         <name>Alarms</name>
@@ -231,6 +279,394 @@
             <source>another controller was armed</source>
             <translation>se armó otro controlador</translation>
         </message>
+        <message>
+            <source>The link to the controller is up</source>
+            <translation>El enlace con el controlador está activo</translation>
+        </message>
+        <message>
+            <source>The access level is Operate or Engineer</source>
+            <translation>El nivel de acceso es Operación o Ingeniería</translation>
+        </message>
+        <message>
+            <source>The access level is Engineer</source>
+            <translation>El nivel de acceso es Ingeniería</translation>
+        </message>
+        <message>
+            <source>The status is fresh</source>
+            <translation>El estado está actualizado</translation>
+        </message>
+        <message>
+            <source>This controller is armed</source>
+            <translation>Este controlador está armado</translation>
+        </message>
+        <message>
+            <source>REMOTE is on</source>
+            <translation>REMOTE está activado</translation>
+        </message>
+        <message>
+            <source>The mode is PLAY</source>
+            <translation>El modo es PLAY</translation>
+        </message>
+        <message>
+            <source>The mode is not TEACH</source>
+            <translation>El modo no es TEACH</translation>
+        </message>
+        <message>
+            <source>There is no alarm</source>
+            <translation>No hay ninguna alarma</translation>
+        </message>
+        <message>
+            <source>There is no error</source>
+            <translation>No hay ningún error</translation>
+        </message>
+        <message>
+            <source>Not held by the pendant</source>
+            <translation>Sin HOLD por la consola de programación</translation>
+        </message>
+        <message>
+            <source>Not held by an external signal</source>
+            <translation>Sin HOLD por una señal externa</translation>
+        </message>
+        <message>
+            <source>Not held by a command</source>
+            <translation>Sin HOLD por un comando</translation>
+        </message>
+        <message>
+            <source>Held by a command</source>
+            <translation>En HOLD por un comando</translation>
+        </message>
+        <message>
+            <source>Servo power is on</source>
+            <translation>La alimentación de servos está conectada</translation>
+        </message>
+        <message>
+            <source>No job is running</source>
+            <translation>No hay ningún trabajo en marcha</translation>
+        </message>
+        <message>
+            <source>A job is selected</source>
+            <translation>Hay un trabajo seleccionado</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is verified</source>
+            <translation>La numeración de variables está verificada</translation>
+        </message>
+        <message>
+            <source>The model takes move orders</source>
+            <translation>El modelo admite órdenes de movimiento</translation>
+        </message>
+        <message>
+            <source>The safety circuit is closed</source>
+            <translation>El circuito de seguridad está cerrado</translation>
+        </message>
+        <message>
+            <source>Not held by a playback panel</source>
+            <translation>Sin HOLD por un panel de reproducción</translation>
+        </message>
+        <message>
+            <source>Home position and position check are confirmed</source>
+            <translation>La posición de origen y la comprobación de posición están confirmadas</translation>
+        </message>
+        <message>
+            <source>Starting is not locked at the panel</source>
+            <translation>El inicio no está bloqueado en el panel</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are not locked at the panel</source>
+            <translation>El modo y el ciclo no están bloqueados en el panel</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is permitted</source>
+            <translation>Se permite seleccionar un trabajo en REMOTE y PLAY</translation>
+        </message>
+        <message>
+            <source>Changing the master job is permitted</source>
+            <translation>Se permite cambiar el trabajo maestro</translation>
+        </message>
+        <message>
+            <source>The job exists on the controller</source>
+            <translation>El trabajo existe en el controlador</translation>
+        </message>
+        <message>
+            <source>Nothing is being edited at the pendant</source>
+            <translation>No se está editando nada en la consola de programación</translation>
+        </message>
+        <message>
+            <source>No other function uses the files</source>
+            <translation>Ninguna otra función utiliza los archivos</translation>
+        </message>
+        <message>
+            <source>The data are not protected</source>
+            <translation>Los datos no están protegidos</translation>
+        </message>
+        <message>
+            <source>Replacing existing files is permitted</source>
+            <translation>Se permite reemplazar archivos existentes</translation>
+        </message>
+        <message>
+            <source>There is no link to the controller</source>
+            <translation>No hay enlace con el controlador</translation>
+        </message>
+        <message>
+            <source>connect, or wait until it answers again</source>
+            <translation>conéctese o espere a que vuelva a responder</translation>
+        </message>
+        <message>
+            <source>The access level is Monitor</source>
+            <translation>El nivel de acceso es Supervisión</translation>
+        </message>
+        <message>
+            <source>switch to Operate in the strip (Ctrl+L)</source>
+            <translation>cambie a Operación en la barra (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The access level is not Engineer</source>
+            <translation>El nivel de acceso no es Ingeniería</translation>
+        </message>
+        <message>
+            <source>switch to Engineer in the strip (Ctrl+L)</source>
+            <translation>cambie a Ingeniería en la barra (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The status was not read just now</source>
+            <translation>El estado no se ha leído recientemente</translation>
+        </message>
+        <message>
+            <source>wait a moment; if it stays so, look at the link</source>
+            <translation>espere un momento; si sigue así, compruebe el enlace</translation>
+        </message>
+        <message>
+            <source>This controller is not armed</source>
+            <translation>Este controlador no está armado</translation>
+        </message>
+        <message>
+            <source>arm it on this page</source>
+            <translation>ármelo en esta página</translation>
+        </message>
+        <message>
+            <source>REMOTE is off</source>
+            <translation>REMOTE está desactivado</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and switch on CMD REMOTE SEL: %1</source>
+            <translation>gire la llave de la consola de programación a REMOTE y active CMD REMOTE SEL: %1</translation>
+        </message>
+        <message>
+            <source>The mode is not PLAY</source>
+            <translation>El modo no es PLAY</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to PLAY or REMOTE</source>
+            <translation>gire la llave de la consola de programación a PLAY o REMOTE</translation>
+        </message>
+        <message>
+            <source>The controller is in TEACH</source>
+            <translation>El controlador está en TEACH</translation>
+        </message>
+        <message>
+            <source>the person at the pendant has the robot: turn the key to REMOTE when that is over</source>
+            <translation>la persona que está en la consola de programación tiene el mando del robot: gire la llave a REMOTE cuando haya terminado</translation>
+        </message>
+        <message>
+            <source>There is an alarm</source>
+            <translation>Hay una alarma</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset it on the Alarms page</source>
+            <translation>elimine su causa y después restablézcala en la página Alarmas</translation>
+        </message>
+        <message>
+            <source>There is an error</source>
+            <translation>Hay un error</translation>
+        </message>
+        <message>
+            <source>read it on the Alarms page, then cancel it</source>
+            <translation>léalo en la página Alarmas y después cancélelo</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>En HOLD por la consola de programación</translation>
+        </message>
+        <message>
+            <source>release it there</source>
+            <translation>libérelo allí</translation>
+        </message>
+        <message>
+            <source>Held by an external signal</source>
+            <translation>En HOLD por una señal externa</translation>
+        </message>
+        <message>
+            <source>release it where that signal comes from</source>
+            <translation>libérelo donde se origina esa señal</translation>
+        </message>
+        <message>
+            <source>release HOLD on the Jobs page</source>
+            <translation>libere HOLD en la página Trabajos</translation>
+        </message>
+        <message>
+            <source>No command holds the robot</source>
+            <translation>Ningún comando retiene el robot</translation>
+        </message>
+        <message>
+            <source>there is nothing to release from here</source>
+            <translation>no hay nada que liberar desde aquí</translation>
+        </message>
+        <message>
+            <source>Servo power is off</source>
+            <translation>La alimentación de servos está desconectada</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>active Servo ON</translation>
+        </message>
+        <message>
+            <source>A job is running</source>
+            <translation>Hay un trabajo en marcha</translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or hold it</source>
+            <translation>espere a que termine o deténgalo con HOLD</translation>
+        </message>
+        <message>
+            <source>No job is selected</source>
+            <translation>No hay ningún trabajo seleccionado</translation>
+        </message>
+        <message>
+            <source>select one on the Jobs page</source>
+            <translation>seleccione uno en la página Trabajos</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is not verified</source>
+            <translation>La numeración de variables no está verificada</translation>
+        </message>
+        <message>
+            <source>compare two variables with the pendant (Variables page)</source>
+            <translation>compare dos variables con la consola de programación (página Variables)</translation>
+        </message>
+        <message>
+            <source>This model takes no move orders</source>
+            <translation>Este modelo no admite órdenes de movimiento</translation>
+        </message>
+        <message>
+            <source>move it with the pendant</source>
+            <translation>muévalo con la consola de programación</translation>
+        </message>
+        <message>
+            <source>The safety circuit is open</source>
+            <translation>El circuito de seguridad está abierto</translation>
+        </message>
+        <message>
+            <source>look at emergency stops, doors and the enabling switch</source>
+            <translation>compruebe las paradas de emergencia, las puertas y el interruptor de habilitación</translation>
+        </message>
+        <message>
+            <source>Held by a playback panel</source>
+            <translation>En HOLD por un panel de reproducción</translation>
+        </message>
+        <message>
+            <source>Home position or position check is missing</source>
+            <translation>Falta la posición de origen o la comprobación de posición</translation>
+        </message>
+        <message>
+            <source>confirm the position at the pendant</source>
+            <translation>confirme la posición en la consola de programación</translation>
+        </message>
+        <message>
+            <source>Starting is locked at the panel</source>
+            <translation>El inicio está bloqueado en el panel</translation>
+        </message>
+        <message>
+            <source>release the start lock (I/O or panel prohibit) at the cell</source>
+            <translation>libere el bloqueo de inicio (E/S o prohibición del panel) en la celda</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are locked at the panel</source>
+            <translation>El modo y el ciclo están bloqueados en el panel</translation>
+        </message>
+        <message>
+            <source>release the panel lock (I/O or panel prohibit) at the cell</source>
+            <translation>libere el bloqueo del panel (E/S o prohibición del panel) en la celda</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is prohibited</source>
+            <translation>Está prohibido seleccionar un trabajo en REMOTE y PLAY</translation>
+        </message>
+        <message>
+            <source>set “job select when remote and play” to permit: %1</source>
+            <translation>ajuste “job select when remote and play” a permitir: %1</translation>
+        </message>
+        <message>
+            <source>Changing the master job is prohibited</source>
+            <translation>Está prohibido cambiar el trabajo maestro</translation>
+        </message>
+        <message>
+            <source>permit it at the pendant (master call, teach lock): %1</source>
+            <translation>permítalo en la consola de programación (llamada al trabajo maestro, bloqueo de enseñanza): %1</translation>
+        </message>
+        <message>
+            <source>The job is not on the controller</source>
+            <translation>El trabajo no está en el controlador</translation>
+        </message>
+        <message>
+            <source>read the list of jobs again</source>
+            <translation>lea de nuevo la lista de trabajos</translation>
+        </message>
+        <message>
+            <source>Something is being edited at the pendant</source>
+            <translation>Se está editando algo en la consola de programación</translation>
+        </message>
+        <message>
+            <source>leave the editor there</source>
+            <translation>salga allí del editor</translation>
+        </message>
+        <message>
+            <source>Another function uses the files</source>
+            <translation>Otra función utiliza los archivos</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>inténtelo de nuevo en un momento</translation>
+        </message>
+        <message>
+            <source>The data are protected</source>
+            <translation>Los datos están protegidos</translation>
+        </message>
+        <message>
+            <source>release the protection at the pendant</source>
+            <translation>libere la protección en la consola de programación</translation>
+        </message>
+        <message>
+            <source>Replacing files is not permitted</source>
+            <translation>No se permite reemplazar archivos</translation>
+        </message>
+        <message>
+            <source>set the parameters RS029 and RS214 to 1: %1</source>
+            <translation>ajuste los parámetros RS029 y RS214 a 1: %1</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION COND. o FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION COND. o TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION ENABLE o TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>PARAMETER, RS (management mode)</source>
+            <translation>PARAMETER, RS (modo de administración)</translation>
+        </message>
     </context>
     <context>
         <name>LinkView</name>
@@ -302,6 +738,29 @@
         </message>
     </context>
     <context>
+        <name>Noise</name>
+        <message>
+            <source>Date of the last change of a job (///DATE)</source>
+            <translation>Fecha de la última modificación de un trabajo (///DATE)</translation>
+        </message>
+        <message>
+            <source>Dates and times of day, such as 2026/01/31 08:30</source>
+            <translation>Fechas y horas, por ejemplo 2026/01/31 08:30</translation>
+        </message>
+        <message>
+            <source>Operating time counters, such as 18:19'02</source>
+            <translation>Contadores de tiempo de funcionamiento, por ejemplo 18:19'02</translation>
+        </message>
+        <message>
+            <source>Blanks at the end of a line</source>
+            <translation>Espacios al final de una línea</translation>
+        </message>
+        <message>
+            <source>Line ends: CR LF or LF, and whether the last line has one</source>
+            <translation>Fines de línea: CR LF o LF, y si la última línea tiene uno</translation>
+        </message>
+    </context>
+    <context>
         <name>OrderRecords</name>
         <message>
             <source>✓ done</source>
@@ -318,6 +777,57 @@
         <message>
             <source>□ not sent</source>
             <translation>□ no enviado</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Overview</source>
+            <translation>Vista general</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarmas</translation>
+        </message>
+        <message>
+            <source>I/O</source>
+            <translation>E/S</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>Registros</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>Variables</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Posición</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>Movimiento manual y desplazamiento</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>Tendencia</translation>
+        </message>
+        <message>
+            <source>Jobs</source>
+            <translation>Trabajos</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Archivos</translation>
+        </message>
+        <message>
+            <source>Backup</source>
+            <translation>Copia de seguridad</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>Diario</translation>
         </message>
     </context>
     <context>
@@ -1915,6 +2425,53 @@
         </message>
     </context>
     <context>
+        <name>models::OrderModel</name>
+        <message>
+            <source>Time</source>
+            <translation>Tiempo</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Controlador</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Qué</translation>
+        </message>
+        <message>
+            <source>Of</source>
+            <translation>De</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Cambio</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Resultado</translation>
+        </message>
+        <message>
+            <source>Reply</source>
+            <translation>Respuesta</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>Persona</translation>
+        </message>
+        <message>
+            <source>Computer</source>
+            <translation>Equipo</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>Nivel</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>ms</translation>
+        </message>
+    </context>
+    <context>
         <name>models::QueueModel</name>
         <message>
             <source>waiting</source>
@@ -3136,6 +3693,22 @@
             <source>master task</source>
             <translation>tarea maestra</translation>
         </message>
+        <message>
+            <source>Job</source>
+            <translation>Trabajo</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Línea</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Paso</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>Override de velocidad</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobListCard</name>
@@ -4135,6 +4708,46 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         <message>
             <source>State</source>
             <translation>Estado</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Modo</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Ciclo</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Marcha</translation>
+        </message>
+        <message>
+            <source>Hold · pendant</source>
+            <translation>HOLD · consola</translation>
+        </message>
+        <message>
+            <source>Hold · external</source>
+            <translation>HOLD · externo</translation>
+        </message>
+        <message>
+            <source>Hold · command</source>
+            <translation>HOLD · comando</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarma</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Error</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>Límite de velocidad</translation>
         </message>
     </context>
     <context>
@@ -6487,6 +7100,30 @@ HOLD es una retención por software a través de la red, no una función de segu
         <message>
             <source>not connected</source>
             <translation>no conectado</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Modo</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Marcha</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarma</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Error</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,54 @@
             <source> or </source>
             <translation> ou </translation>
         </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (logiciel)</translation>
+        </message>
+        <message>
+            <source>Access level…</source>
+            <translation>Niveau d’accès…</translation>
+        </message>
+        <message>
+            <source>Open this page in its own window</source>
+            <translation>Ouvrir cette page dans sa propre fenêtre</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>Connecter…</translation>
+        </message>
+        <message>
+            <source>Connect to this controller</source>
+            <translation>Se connecter à ce contrôleur</translation>
+        </message>
+        <message>
+            <source>Disconnect</source>
+            <translation>Déconnecter</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>Ouvrir la démo</translation>
+        </message>
+        <message>
+            <source>Diagnose…</source>
+            <translation>Diagnostiquer…</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>Copier le diagnostic</translation>
+        </message>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>Raccourcis clavier</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>À propos de Pendesk</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>Quitter</translation>
+        </message>
     </context>
     <context>
         <name>Alarms</name>
@@ -231,6 +279,394 @@
             <source>another controller was armed</source>
             <translation>un autre contrôleur a été armé</translation>
         </message>
+        <message>
+            <source>The link to the controller is up</source>
+            <translation>La liaison avec le contrôleur est établie</translation>
+        </message>
+        <message>
+            <source>The access level is Operate or Engineer</source>
+            <translation>Le niveau d’accès est Opération ou Ingénierie</translation>
+        </message>
+        <message>
+            <source>The access level is Engineer</source>
+            <translation>Le niveau d’accès est Ingénierie</translation>
+        </message>
+        <message>
+            <source>The status is fresh</source>
+            <translation>L’état est à jour</translation>
+        </message>
+        <message>
+            <source>This controller is armed</source>
+            <translation>Ce contrôleur est armé</translation>
+        </message>
+        <message>
+            <source>REMOTE is on</source>
+            <translation>REMOTE est activé</translation>
+        </message>
+        <message>
+            <source>The mode is PLAY</source>
+            <translation>Le mode est PLAY</translation>
+        </message>
+        <message>
+            <source>The mode is not TEACH</source>
+            <translation>Le mode n’est pas TEACH</translation>
+        </message>
+        <message>
+            <source>There is no alarm</source>
+            <translation>Il n’y a pas d’alarme</translation>
+        </message>
+        <message>
+            <source>There is no error</source>
+            <translation>Il n’y a pas d’erreur</translation>
+        </message>
+        <message>
+            <source>Not held by the pendant</source>
+            <translation>Pas de HOLD par le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>Not held by an external signal</source>
+            <translation>Pas de HOLD par un signal externe</translation>
+        </message>
+        <message>
+            <source>Not held by a command</source>
+            <translation>Pas de HOLD par une commande</translation>
+        </message>
+        <message>
+            <source>Held by a command</source>
+            <translation>HOLD par une commande</translation>
+        </message>
+        <message>
+            <source>Servo power is on</source>
+            <translation>L’alimentation servo est activée</translation>
+        </message>
+        <message>
+            <source>No job is running</source>
+            <translation>Aucun job n’est en marche</translation>
+        </message>
+        <message>
+            <source>A job is selected</source>
+            <translation>Un job est sélectionné</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is verified</source>
+            <translation>La numérotation des variables est vérifiée</translation>
+        </message>
+        <message>
+            <source>The model takes move orders</source>
+            <translation>Le modèle accepte les ordres de déplacement</translation>
+        </message>
+        <message>
+            <source>The safety circuit is closed</source>
+            <translation>Le circuit de sécurité est fermé</translation>
+        </message>
+        <message>
+            <source>Not held by a playback panel</source>
+            <translation>Pas de HOLD par un panneau de lecture (playback)</translation>
+        </message>
+        <message>
+            <source>Home position and position check are confirmed</source>
+            <translation>La position d’origine et le contrôle de position sont confirmés</translation>
+        </message>
+        <message>
+            <source>Starting is not locked at the panel</source>
+            <translation>Le démarrage n’est pas verrouillé sur le panneau</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are not locked at the panel</source>
+            <translation>Le mode et le cycle ne sont pas verrouillés sur le panneau</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is permitted</source>
+            <translation>La sélection d’un job en REMOTE et PLAY est autorisée</translation>
+        </message>
+        <message>
+            <source>Changing the master job is permitted</source>
+            <translation>Le changement du job maître est autorisé</translation>
+        </message>
+        <message>
+            <source>The job exists on the controller</source>
+            <translation>Le job existe sur le contrôleur</translation>
+        </message>
+        <message>
+            <source>Nothing is being edited at the pendant</source>
+            <translation>Aucune édition n’est en cours sur le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>No other function uses the files</source>
+            <translation>Aucune autre fonction n’utilise les fichiers</translation>
+        </message>
+        <message>
+            <source>The data are not protected</source>
+            <translation>Les données ne sont pas protégées</translation>
+        </message>
+        <message>
+            <source>Replacing existing files is permitted</source>
+            <translation>Le remplacement de fichiers existants est autorisé</translation>
+        </message>
+        <message>
+            <source>There is no link to the controller</source>
+            <translation>Il n’y a pas de liaison avec le contrôleur</translation>
+        </message>
+        <message>
+            <source>connect, or wait until it answers again</source>
+            <translation>se connecter, ou attendre qu’il réponde à nouveau</translation>
+        </message>
+        <message>
+            <source>The access level is Monitor</source>
+            <translation>Le niveau d’accès est Surveillance</translation>
+        </message>
+        <message>
+            <source>switch to Operate in the strip (Ctrl+L)</source>
+            <translation>passer à Opération dans le bandeau (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The access level is not Engineer</source>
+            <translation>Le niveau d’accès n’est pas Ingénierie</translation>
+        </message>
+        <message>
+            <source>switch to Engineer in the strip (Ctrl+L)</source>
+            <translation>passer à Ingénierie dans le bandeau (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The status was not read just now</source>
+            <translation>L’état n’a pas été lu récemment</translation>
+        </message>
+        <message>
+            <source>wait a moment; if it stays so, look at the link</source>
+            <translation>attendre un instant ; si cela persiste, vérifier la liaison</translation>
+        </message>
+        <message>
+            <source>This controller is not armed</source>
+            <translation>Ce contrôleur n’est pas armé</translation>
+        </message>
+        <message>
+            <source>arm it on this page</source>
+            <translation>l’armer sur cette page</translation>
+        </message>
+        <message>
+            <source>REMOTE is off</source>
+            <translation>REMOTE est désactivé</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and switch on CMD REMOTE SEL: %1</source>
+            <translation>tourner la clé du boîtier de programmation sur REMOTE et activer CMD REMOTE SEL : %1</translation>
+        </message>
+        <message>
+            <source>The mode is not PLAY</source>
+            <translation>Le mode n’est pas PLAY</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to PLAY or REMOTE</source>
+            <translation>tourner la clé du boîtier de programmation sur PLAY ou REMOTE</translation>
+        </message>
+        <message>
+            <source>The controller is in TEACH</source>
+            <translation>Le contrôleur est en TEACH</translation>
+        </message>
+        <message>
+            <source>the person at the pendant has the robot: turn the key to REMOTE when that is over</source>
+            <translation>la personne au boîtier de programmation a le contrôle du robot : tourner la clé sur REMOTE quand elle a terminé</translation>
+        </message>
+        <message>
+            <source>There is an alarm</source>
+            <translation>Il y a une alarme</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset it on the Alarms page</source>
+            <translation>en éliminer la cause, puis la réinitialiser sur la page Alarmes</translation>
+        </message>
+        <message>
+            <source>There is an error</source>
+            <translation>Il y a une erreur</translation>
+        </message>
+        <message>
+            <source>read it on the Alarms page, then cancel it</source>
+            <translation>la lire sur la page Alarmes, puis l’effacer</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>HOLD par le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>release it there</source>
+            <translation>annuler HOLD à cet endroit</translation>
+        </message>
+        <message>
+            <source>Held by an external signal</source>
+            <translation>HOLD par un signal externe</translation>
+        </message>
+        <message>
+            <source>release it where that signal comes from</source>
+            <translation>annuler HOLD là d’où vient ce signal</translation>
+        </message>
+        <message>
+            <source>release HOLD on the Jobs page</source>
+            <translation>annuler HOLD sur la page Jobs</translation>
+        </message>
+        <message>
+            <source>No command holds the robot</source>
+            <translation>Aucune commande ne maintient le robot en HOLD</translation>
+        </message>
+        <message>
+            <source>there is nothing to release from here</source>
+            <translation>il n’y a rien à annuler d’ici</translation>
+        </message>
+        <message>
+            <source>Servo power is off</source>
+            <translation>L’alimentation servo est coupée</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>activer le servo</translation>
+        </message>
+        <message>
+            <source>A job is running</source>
+            <translation>Un job est en marche</translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or hold it</source>
+            <translation>attendre qu’il soit terminé, ou l’arrêter par HOLD</translation>
+        </message>
+        <message>
+            <source>No job is selected</source>
+            <translation>Aucun job n’est sélectionné</translation>
+        </message>
+        <message>
+            <source>select one on the Jobs page</source>
+            <translation>en sélectionner un sur la page Jobs</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is not verified</source>
+            <translation>La numérotation des variables n’est pas vérifiée</translation>
+        </message>
+        <message>
+            <source>compare two variables with the pendant (Variables page)</source>
+            <translation>comparer deux variables avec le boîtier de programmation (page Variables)</translation>
+        </message>
+        <message>
+            <source>This model takes no move orders</source>
+            <translation>Ce modèle n’accepte pas d’ordres de déplacement</translation>
+        </message>
+        <message>
+            <source>move it with the pendant</source>
+            <translation>déplacer le robot avec le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>The safety circuit is open</source>
+            <translation>Le circuit de sécurité est ouvert</translation>
+        </message>
+        <message>
+            <source>look at emergency stops, doors and the enabling switch</source>
+            <translation>vérifier les arrêts d’urgence, les portes et l’interrupteur de validation</translation>
+        </message>
+        <message>
+            <source>Held by a playback panel</source>
+            <translation>HOLD par un panneau de lecture (playback)</translation>
+        </message>
+        <message>
+            <source>Home position or position check is missing</source>
+            <translation>La position d’origine ou le contrôle de position manque</translation>
+        </message>
+        <message>
+            <source>confirm the position at the pendant</source>
+            <translation>confirmer la position sur le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>Starting is locked at the panel</source>
+            <translation>Le démarrage est verrouillé sur le panneau</translation>
+        </message>
+        <message>
+            <source>release the start lock (I/O or panel prohibit) at the cell</source>
+            <translation>annuler le verrouillage du démarrage (E/S ou interdiction au panneau) sur la cellule</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are locked at the panel</source>
+            <translation>Le mode et le cycle sont verrouillés sur le panneau</translation>
+        </message>
+        <message>
+            <source>release the panel lock (I/O or panel prohibit) at the cell</source>
+            <translation>annuler le verrouillage du panneau (E/S ou interdiction au panneau) sur la cellule</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is prohibited</source>
+            <translation>La sélection d’un job en REMOTE et PLAY est interdite</translation>
+        </message>
+        <message>
+            <source>set “job select when remote and play” to permit: %1</source>
+            <translation>mettre « job select when remote and play » sur « permit » : %1</translation>
+        </message>
+        <message>
+            <source>Changing the master job is prohibited</source>
+            <translation>Le changement du job maître est interdit</translation>
+        </message>
+        <message>
+            <source>permit it at the pendant (master call, teach lock): %1</source>
+            <translation>l’autoriser sur le boîtier de programmation (appel du job maître, verrouillage d’apprentissage) : %1</translation>
+        </message>
+        <message>
+            <source>The job is not on the controller</source>
+            <translation>Le job n’est pas sur le contrôleur</translation>
+        </message>
+        <message>
+            <source>read the list of jobs again</source>
+            <translation>relire la liste des jobs</translation>
+        </message>
+        <message>
+            <source>Something is being edited at the pendant</source>
+            <translation>Une édition est en cours sur le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>leave the editor there</source>
+            <translation>y quitter l’éditeur</translation>
+        </message>
+        <message>
+            <source>Another function uses the files</source>
+            <translation>Une autre fonction utilise les fichiers</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>réessayer dans un instant</translation>
+        </message>
+        <message>
+            <source>The data are protected</source>
+            <translation>Les données sont protégées</translation>
+        </message>
+        <message>
+            <source>release the protection at the pendant</source>
+            <translation>annuler la protection sur le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>Replacing files is not permitted</source>
+            <translation>Le remplacement de fichiers n’est pas autorisé</translation>
+        </message>
+        <message>
+            <source>set the parameters RS029 and RS214 to 1: %1</source>
+            <translation>mettre les paramètres RS029 et RS214 à 1 : %1</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION COND. ou FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION COND. ou TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION ENABLE ou TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>PARAMETER, RS (management mode)</source>
+            <translation>PARAMETER, RS (mode de gestion)</translation>
+        </message>
     </context>
     <context>
         <name>LinkView</name>
@@ -302,6 +738,29 @@
         </message>
     </context>
     <context>
+        <name>Noise</name>
+        <message>
+            <source>Date of the last change of a job (///DATE)</source>
+            <translation>Date de la dernière modification d’un job (///DATE)</translation>
+        </message>
+        <message>
+            <source>Dates and times of day, such as 2026/01/31 08:30</source>
+            <translation>Dates et heures, par exemple 2026/01/31 08:30</translation>
+        </message>
+        <message>
+            <source>Operating time counters, such as 18:19'02</source>
+            <translation>Compteurs de temps de fonctionnement, par exemple 18:19'02</translation>
+        </message>
+        <message>
+            <source>Blanks at the end of a line</source>
+            <translation>Espaces en fin de ligne</translation>
+        </message>
+        <message>
+            <source>Line ends: CR LF or LF, and whether the last line has one</source>
+            <translation>Fins de ligne : CR LF ou LF, et présence ou non d’une fin à la dernière ligne</translation>
+        </message>
+    </context>
+    <context>
         <name>OrderRecords</name>
         <message>
             <source>✓ done</source>
@@ -318,6 +777,57 @@
         <message>
             <source>□ not sent</source>
             <translation>□ non envoyé</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Overview</source>
+            <translation>Vue d’ensemble</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarmes</translation>
+        </message>
+        <message>
+            <source>I/O</source>
+            <translation>E/S</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>Registres</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>Variables</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Position</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>Déplacement manuel et mouvement</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>Tendance</translation>
+        </message>
+        <message>
+            <source>Jobs</source>
+            <translation>Jobs</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Fichiers</translation>
+        </message>
+        <message>
+            <source>Backup</source>
+            <translation>Sauvegarde</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>Journal</translation>
         </message>
     </context>
     <context>
@@ -1915,6 +2425,53 @@
         </message>
     </context>
     <context>
+        <name>models::OrderModel</name>
+        <message>
+            <source>Time</source>
+            <translation>Heure</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Contrôleur</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Quoi</translation>
+        </message>
+        <message>
+            <source>Of</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Modification</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Résultat</translation>
+        </message>
+        <message>
+            <source>Reply</source>
+            <translation>Réponse</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>Personne</translation>
+        </message>
+        <message>
+            <source>Computer</source>
+            <translation>Ordinateur</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>Niveau</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>ms</translation>
+        </message>
+    </context>
+    <context>
         <name>models::QueueModel</name>
         <message>
             <source>waiting</source>
@@ -3136,6 +3693,22 @@
             <source>master task</source>
             <translation>tâche maître</translation>
         </message>
+        <message>
+            <source>Job</source>
+            <translation>Job</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Ligne</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Pas</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>Correction de vitesse</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobListCard</name>
@@ -3412,7 +3985,7 @@
         </message>
         <message>
             <source>Time</source>
-            <translation>Durée</translation>
+            <translation>Heure</translation>
         </message>
         <message>
             <source>Search</source>
@@ -4135,6 +4708,46 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         <message>
             <source>State</source>
             <translation>État</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Mode</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Cycle</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Marche</translation>
+        </message>
+        <message>
+            <source>Hold · pendant</source>
+            <translation>HOLD · boîtier</translation>
+        </message>
+        <message>
+            <source>Hold · external</source>
+            <translation>HOLD · externe</translation>
+        </message>
+        <message>
+            <source>Hold · command</source>
+            <translation>HOLD · commande</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarme</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Erreur</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>Limite de vitesse</translation>
         </message>
     </context>
     <context>
@@ -6487,6 +7100,30 @@ HOLD est un HOLD logiciel par le réseau, pas une fonction de sécurité.</trans
         <message>
             <source>not connected</source>
             <translation>non connecté</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Mode</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>Servo</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Marche</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarme</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Erreur</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,54 @@
             <source> or </source>
             <translation> または </translation>
         </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (ソフトウェア)</translation>
+        </message>
+        <message>
+            <source>Access level…</source>
+            <translation>アクセスレベル…</translation>
+        </message>
+        <message>
+            <source>Open this page in its own window</source>
+            <translation>このページを別ウィンドウで開く</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>接続…</translation>
+        </message>
+        <message>
+            <source>Connect to this controller</source>
+            <translation>このコントローラに接続</translation>
+        </message>
+        <message>
+            <source>Disconnect</source>
+            <translation>切断</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>デモを開く</translation>
+        </message>
+        <message>
+            <source>Diagnose…</source>
+            <translation>診断…</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>診断をコピー</translation>
+        </message>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>キーボードショートカット</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>Pendeskについて</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>終了</translation>
+        </message>
     </context>
     <context>
         <name>Alarms</name>
@@ -231,6 +279,394 @@
             <source>another controller was armed</source>
             <translation>別のコントローラが動作許可になった</translation>
         </message>
+        <message>
+            <source>The link to the controller is up</source>
+            <translation>コントローラとのリンクが確立しています</translation>
+        </message>
+        <message>
+            <source>The access level is Operate or Engineer</source>
+            <translation>アクセスレベルが「操作」または「技術者」です</translation>
+        </message>
+        <message>
+            <source>The access level is Engineer</source>
+            <translation>アクセスレベルが「技術者」です</translation>
+        </message>
+        <message>
+            <source>The status is fresh</source>
+            <translation>状態の情報が最新です</translation>
+        </message>
+        <message>
+            <source>This controller is armed</source>
+            <translation>このコントローラは動作許可中です</translation>
+        </message>
+        <message>
+            <source>REMOTE is on</source>
+            <translation>REMOTEがオンです</translation>
+        </message>
+        <message>
+            <source>The mode is PLAY</source>
+            <translation>モードがPLAYです</translation>
+        </message>
+        <message>
+            <source>The mode is not TEACH</source>
+            <translation>モードがTEACHではありません</translation>
+        </message>
+        <message>
+            <source>There is no alarm</source>
+            <translation>アラームはありません</translation>
+        </message>
+        <message>
+            <source>There is no error</source>
+            <translation>エラーはありません</translation>
+        </message>
+        <message>
+            <source>Not held by the pendant</source>
+            <translation>ペンダントによるホールドなし</translation>
+        </message>
+        <message>
+            <source>Not held by an external signal</source>
+            <translation>外部信号によるホールドなし</translation>
+        </message>
+        <message>
+            <source>Not held by a command</source>
+            <translation>コマンドによるホールドなし</translation>
+        </message>
+        <message>
+            <source>Held by a command</source>
+            <translation>コマンドによるホールド中</translation>
+        </message>
+        <message>
+            <source>Servo power is on</source>
+            <translation>サーボ電源がオンです</translation>
+        </message>
+        <message>
+            <source>No job is running</source>
+            <translation>運転中のジョブはありません</translation>
+        </message>
+        <message>
+            <source>A job is selected</source>
+            <translation>ジョブが選択されています</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is verified</source>
+            <translation>変数番号の方式が照合済みです</translation>
+        </message>
+        <message>
+            <source>The model takes move orders</source>
+            <translation>この機種は移動命令を受け付けます</translation>
+        </message>
+        <message>
+            <source>The safety circuit is closed</source>
+            <translation>安全回路が閉じています</translation>
+        </message>
+        <message>
+            <source>Not held by a playback panel</source>
+            <translation>プレイバックパネルによるホールドなし</translation>
+        </message>
+        <message>
+            <source>Home position and position check are confirmed</source>
+            <translation>原点位置と位置確認が完了しています</translation>
+        </message>
+        <message>
+            <source>Starting is not locked at the panel</source>
+            <translation>起動はパネルでロックされていません</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are not locked at the panel</source>
+            <translation>モードとサイクルはパネルでロックされていません</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is permitted</source>
+            <translation>REMOTEとPLAYでのジョブ選択が許可されています</translation>
+        </message>
+        <message>
+            <source>Changing the master job is permitted</source>
+            <translation>マスタジョブの変更が許可されています</translation>
+        </message>
+        <message>
+            <source>The job exists on the controller</source>
+            <translation>ジョブがコントローラにあります</translation>
+        </message>
+        <message>
+            <source>Nothing is being edited at the pendant</source>
+            <translation>ペンダントで編集中のものはありません</translation>
+        </message>
+        <message>
+            <source>No other function uses the files</source>
+            <translation>ほかの機能がファイルを使用していません</translation>
+        </message>
+        <message>
+            <source>The data are not protected</source>
+            <translation>データは保護されていません</translation>
+        </message>
+        <message>
+            <source>Replacing existing files is permitted</source>
+            <translation>既存ファイルの置換えが許可されています</translation>
+        </message>
+        <message>
+            <source>There is no link to the controller</source>
+            <translation>コントローラとのリンクがありません</translation>
+        </message>
+        <message>
+            <source>connect, or wait until it answers again</source>
+            <translation>接続するか、再び応答するまで待ってください</translation>
+        </message>
+        <message>
+            <source>The access level is Monitor</source>
+            <translation>アクセスレベルが「監視」です</translation>
+        </message>
+        <message>
+            <source>switch to Operate in the strip (Ctrl+L)</source>
+            <translation>状態バーで「操作」に切り替えてください (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The access level is not Engineer</source>
+            <translation>アクセスレベルが「技術者」ではありません</translation>
+        </message>
+        <message>
+            <source>switch to Engineer in the strip (Ctrl+L)</source>
+            <translation>状態バーで「技術者」に切り替えてください (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The status was not read just now</source>
+            <translation>状態の情報が最新ではありません</translation>
+        </message>
+        <message>
+            <source>wait a moment; if it stays so, look at the link</source>
+            <translation>少し待ってください。変わらない場合はリンクを確認してください</translation>
+        </message>
+        <message>
+            <source>This controller is not armed</source>
+            <translation>このコントローラは動作許可になっていません</translation>
+        </message>
+        <message>
+            <source>arm it on this page</source>
+            <translation>このページで動作許可にしてください</translation>
+        </message>
+        <message>
+            <source>REMOTE is off</source>
+            <translation>REMOTEがオフです</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and switch on CMD REMOTE SEL: %1</source>
+            <translation>ペンダントのモードキーをREMOTEにし、CMD REMOTE SELをオンにしてください: %1</translation>
+        </message>
+        <message>
+            <source>The mode is not PLAY</source>
+            <translation>モードがPLAYではありません</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to PLAY or REMOTE</source>
+            <translation>ペンダントのモードキーをPLAYまたはREMOTEにしてください</translation>
+        </message>
+        <message>
+            <source>The controller is in TEACH</source>
+            <translation>コントローラがTEACHです</translation>
+        </message>
+        <message>
+            <source>the person at the pendant has the robot: turn the key to REMOTE when that is over</source>
+            <translation>ペンダントの操作者がロボットを操作中です。終わってからモードキーをREMOTEにしてください</translation>
+        </message>
+        <message>
+            <source>There is an alarm</source>
+            <translation>アラームが発生しています</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset it on the Alarms page</source>
+            <translation>原因を取り除いてから、「アラーム」ページでリセットしてください</translation>
+        </message>
+        <message>
+            <source>There is an error</source>
+            <translation>エラーが発生しています</translation>
+        </message>
+        <message>
+            <source>read it on the Alarms page, then cancel it</source>
+            <translation>「アラーム」ページで内容を確認してから、エラーキャンセルを行ってください</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>ペンダントによるホールド中</translation>
+        </message>
+        <message>
+            <source>release it there</source>
+            <translation>ペンダントで解除してください</translation>
+        </message>
+        <message>
+            <source>Held by an external signal</source>
+            <translation>外部信号によるホールド中</translation>
+        </message>
+        <message>
+            <source>release it where that signal comes from</source>
+            <translation>その信号の発生元で解除してください</translation>
+        </message>
+        <message>
+            <source>release HOLD on the Jobs page</source>
+            <translation>「ジョブ」ページでHOLDを解除してください</translation>
+        </message>
+        <message>
+            <source>No command holds the robot</source>
+            <translation>コマンドによるホールドはありません</translation>
+        </message>
+        <message>
+            <source>there is nothing to release from here</source>
+            <translation>ここから解除するものはありません</translation>
+        </message>
+        <message>
+            <source>Servo power is off</source>
+            <translation>サーボ電源がオフです</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>サーボをオンにしてください</translation>
+        </message>
+        <message>
+            <source>A job is running</source>
+            <translation>ジョブが運転中です</translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or hold it</source>
+            <translation>終了するまで待つか、ホールドしてください</translation>
+        </message>
+        <message>
+            <source>No job is selected</source>
+            <translation>ジョブが選択されていません</translation>
+        </message>
+        <message>
+            <source>select one on the Jobs page</source>
+            <translation>「ジョブ」ページでジョブを選択してください</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is not verified</source>
+            <translation>変数番号の方式が未照合です</translation>
+        </message>
+        <message>
+            <source>compare two variables with the pendant (Variables page)</source>
+            <translation>2つの変数をペンダントと比較してください (「変数」ページ)</translation>
+        </message>
+        <message>
+            <source>This model takes no move orders</source>
+            <translation>この機種は移動命令を受け付けません</translation>
+        </message>
+        <message>
+            <source>move it with the pendant</source>
+            <translation>ペンダントで動かしてください</translation>
+        </message>
+        <message>
+            <source>The safety circuit is open</source>
+            <translation>安全回路が開いています</translation>
+        </message>
+        <message>
+            <source>look at emergency stops, doors and the enabling switch</source>
+            <translation>非常停止、扉、イネーブルスイッチを確認してください</translation>
+        </message>
+        <message>
+            <source>Held by a playback panel</source>
+            <translation>プレイバックパネルによるホールド中</translation>
+        </message>
+        <message>
+            <source>Home position or position check is missing</source>
+            <translation>原点位置または位置確認が完了していません</translation>
+        </message>
+        <message>
+            <source>confirm the position at the pendant</source>
+            <translation>ペンダントで位置確認を行ってください</translation>
+        </message>
+        <message>
+            <source>Starting is locked at the panel</source>
+            <translation>起動がパネルでロックされています</translation>
+        </message>
+        <message>
+            <source>release the start lock (I/O or panel prohibit) at the cell</source>
+            <translation>セルで起動ロック (I/Oまたはパネルの禁止) を解除してください</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are locked at the panel</source>
+            <translation>モードとサイクルがパネルでロックされています</translation>
+        </message>
+        <message>
+            <source>release the panel lock (I/O or panel prohibit) at the cell</source>
+            <translation>セルでパネルロック (I/Oまたはパネルの禁止) を解除してください</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is prohibited</source>
+            <translation>REMOTEとPLAYでのジョブ選択が禁止されています</translation>
+        </message>
+        <message>
+            <source>set “job select when remote and play” to permit: %1</source>
+            <translation>“job select when remote and play” (リモート・プレイ時のジョブ選択) を許可にしてください: %1</translation>
+        </message>
+        <message>
+            <source>Changing the master job is prohibited</source>
+            <translation>マスタジョブの変更が禁止されています</translation>
+        </message>
+        <message>
+            <source>permit it at the pendant (master call, teach lock): %1</source>
+            <translation>ペンダントで許可してください (マスタ呼出し、ティーチロック): %1</translation>
+        </message>
+        <message>
+            <source>The job is not on the controller</source>
+            <translation>ジョブがコントローラにありません</translation>
+        </message>
+        <message>
+            <source>read the list of jobs again</source>
+            <translation>ジョブの一覧を読み出し直してください</translation>
+        </message>
+        <message>
+            <source>Something is being edited at the pendant</source>
+            <translation>ペンダントで編集中です</translation>
+        </message>
+        <message>
+            <source>leave the editor there</source>
+            <translation>ペンダントで編集画面を閉じてください</translation>
+        </message>
+        <message>
+            <source>Another function uses the files</source>
+            <translation>別の機能がファイルを使用しています</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>しばらくしてからやり直してください</translation>
+        </message>
+        <message>
+            <source>The data are protected</source>
+            <translation>データが保護されています</translation>
+        </message>
+        <message>
+            <source>release the protection at the pendant</source>
+            <translation>ペンダントで保護を解除してください</translation>
+        </message>
+        <message>
+            <source>Replacing files is not permitted</source>
+            <translation>ファイルの置換えが許可されていません</translation>
+        </message>
+        <message>
+            <source>set the parameters RS029 and RS214 to 1: %1</source>
+            <translation>パラメータRS029とRS214を1に設定してください: %1</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
+            <translation>IN/OUT、PSEUDO INPUT SIG、#82015</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
+            <translation>SETUP、FUNCTION COND.またはFUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE</source>
+            <translation>SETUP、FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or TEACHING COND.</source>
+            <translation>SETUP、FUNCTION COND.またはTEACHING COND.</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE or TEACHING COND.</source>
+            <translation>SETUP、FUNCTION ENABLEまたはTEACHING COND.</translation>
+        </message>
+        <message>
+            <source>PARAMETER, RS (management mode)</source>
+            <translation>PARAMETER、RS (管理モード)</translation>
+        </message>
     </context>
     <context>
         <name>LinkView</name>
@@ -301,6 +737,29 @@
         </message>
     </context>
     <context>
+        <name>Noise</name>
+        <message>
+            <source>Date of the last change of a job (///DATE)</source>
+            <translation>ジョブの最終変更日時 (///DATE)</translation>
+        </message>
+        <message>
+            <source>Dates and times of day, such as 2026/01/31 08:30</source>
+            <translation>日付と時刻 (例: 2026/01/31 08:30)</translation>
+        </message>
+        <message>
+            <source>Operating time counters, such as 18:19'02</source>
+            <translation>稼働時間カウンタ (例: 18:19'02)</translation>
+        </message>
+        <message>
+            <source>Blanks at the end of a line</source>
+            <translation>行末の空白</translation>
+        </message>
+        <message>
+            <source>Line ends: CR LF or LF, and whether the last line has one</source>
+            <translation>改行 (CR LFまたはLF) と、最終行の改行の有無</translation>
+        </message>
+    </context>
+    <context>
         <name>OrderRecords</name>
         <message>
             <source>✓ done</source>
@@ -317,6 +776,57 @@
         <message>
             <source>□ not sent</source>
             <translation>□ 未送信</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Overview</source>
+            <translation>概要</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>I/O</source>
+            <translation>I/O</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>レジスタ</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>変数</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>ジョグと移動</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>トレンド</translation>
+        </message>
+        <message>
+            <source>Jobs</source>
+            <translation>ジョブ</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>ファイル</translation>
+        </message>
+        <message>
+            <source>Backup</source>
+            <translation>バックアップ</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>操作履歴</translation>
         </message>
     </context>
     <context>
@@ -1176,7 +1686,7 @@
         </message>
         <message>
             <source>Type</source>
-            <translation>種類</translation>
+            <translation>タイプ</translation>
         </message>
         <message>
             <source>Stage</source>
@@ -1900,6 +2410,53 @@
         <message>
             <source>%1, favourite</source>
             <translation>%1、お気に入り</translation>
+        </message>
+    </context>
+    <context>
+        <name>models::OrderModel</name>
+        <message>
+            <source>Time</source>
+            <translation>時刻</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>コントローラ</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Of</source>
+            <translation>対象</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>変更</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>結果</translation>
+        </message>
+        <message>
+            <source>Reply</source>
+            <translation>応答</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>実行者</translation>
+        </message>
+        <message>
+            <source>Computer</source>
+            <translation>コンピュータ</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>レベル</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>ms</translation>
         </message>
     </context>
     <context>
@@ -3109,6 +3666,22 @@
             <source>master task</source>
             <translation>マスタタスク</translation>
         </message>
+        <message>
+            <source>Job</source>
+            <translation>ジョブ</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>ステップ</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>速度オーバーライド</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobListCard</name>
@@ -3383,7 +3956,7 @@
         </message>
         <message>
             <source>Time</source>
-            <translation>所要時間</translation>
+            <translation>時刻</translation>
         </message>
         <message>
             <source>Search</source>
@@ -4100,6 +4673,46 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>State</source>
             <translation>状態</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>モード</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>サイクル</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>サーボ</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>運転</translation>
+        </message>
+        <message>
+            <source>Hold · pendant</source>
+            <translation>ホールド · ペンダント</translation>
+        </message>
+        <message>
+            <source>Hold · external</source>
+            <translation>ホールド · 外部</translation>
+        </message>
+        <message>
+            <source>Hold · command</source>
+            <translation>ホールド · コマンド</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>エラー</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>速度制限</translation>
         </message>
     </context>
     <context>
@@ -6442,6 +7055,30 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         <message>
             <source>not connected</source>
             <translation>未接続</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>モード</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>サーボ</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>運転</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>ホールド</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>エラー</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,54 @@
             <source> or </source>
             <translation> 또는 </translation>
         </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (소프트웨어)</translation>
+        </message>
+        <message>
+            <source>Access level…</source>
+            <translation>액세스 레벨…</translation>
+        </message>
+        <message>
+            <source>Open this page in its own window</source>
+            <translation>이 페이지를 별도의 창에서 열기</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>연결…</translation>
+        </message>
+        <message>
+            <source>Connect to this controller</source>
+            <translation>이 컨트롤러에 연결</translation>
+        </message>
+        <message>
+            <source>Disconnect</source>
+            <translation>연결 해제</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>데모 열기</translation>
+        </message>
+        <message>
+            <source>Diagnose…</source>
+            <translation>진단…</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>진단 복사</translation>
+        </message>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>키보드 단축키</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>Pendesk 정보</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>종료</translation>
+        </message>
     </context>
     <context>
         <name>Alarms</name>
@@ -231,6 +279,394 @@
             <source>another controller was armed</source>
             <translation>다른 컨트롤러가 동작 허가됨</translation>
         </message>
+        <message>
+            <source>The link to the controller is up</source>
+            <translation>컨트롤러와 통신 중</translation>
+        </message>
+        <message>
+            <source>The access level is Operate or Engineer</source>
+            <translation>액세스 레벨이 “조작” 또는 “엔지니어”임</translation>
+        </message>
+        <message>
+            <source>The access level is Engineer</source>
+            <translation>액세스 레벨이 “엔지니어”임</translation>
+        </message>
+        <message>
+            <source>The status is fresh</source>
+            <translation>상태가 최신임</translation>
+        </message>
+        <message>
+            <source>This controller is armed</source>
+            <translation>이 컨트롤러가 동작 허가 중</translation>
+        </message>
+        <message>
+            <source>REMOTE is on</source>
+            <translation>REMOTE가 ON임</translation>
+        </message>
+        <message>
+            <source>The mode is PLAY</source>
+            <translation>모드가 PLAY임</translation>
+        </message>
+        <message>
+            <source>The mode is not TEACH</source>
+            <translation>모드가 TEACH가 아님</translation>
+        </message>
+        <message>
+            <source>There is no alarm</source>
+            <translation>알람 없음</translation>
+        </message>
+        <message>
+            <source>There is no error</source>
+            <translation>에러 없음</translation>
+        </message>
+        <message>
+            <source>Not held by the pendant</source>
+            <translation>펜던트에 의한 홀드 중이 아님</translation>
+        </message>
+        <message>
+            <source>Not held by an external signal</source>
+            <translation>외부 신호에 의한 홀드 중이 아님</translation>
+        </message>
+        <message>
+            <source>Not held by a command</source>
+            <translation>커맨드에 의한 홀드 중이 아님</translation>
+        </message>
+        <message>
+            <source>Held by a command</source>
+            <translation>커맨드에 의한 홀드 중</translation>
+        </message>
+        <message>
+            <source>Servo power is on</source>
+            <translation>서보 전원이 ON임</translation>
+        </message>
+        <message>
+            <source>No job is running</source>
+            <translation>실행 중인 잡이 없음</translation>
+        </message>
+        <message>
+            <source>A job is selected</source>
+            <translation>잡이 선택되어 있음</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is verified</source>
+            <translation>변수 번호 방식이 대조됨</translation>
+        </message>
+        <message>
+            <source>The model takes move orders</source>
+            <translation>이 기종은 이동 명령을 받음</translation>
+        </message>
+        <message>
+            <source>The safety circuit is closed</source>
+            <translation>안전 회로가 닫혀 있음</translation>
+        </message>
+        <message>
+            <source>Not held by a playback panel</source>
+            <translation>플레이백 패널에 의한 홀드 중이 아님</translation>
+        </message>
+        <message>
+            <source>Home position and position check are confirmed</source>
+            <translation>원점 위치와 위치 확인이 완료됨</translation>
+        </message>
+        <message>
+            <source>Starting is not locked at the panel</source>
+            <translation>패널에서 기동이 잠겨 있지 않음</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are not locked at the panel</source>
+            <translation>패널에서 모드와 사이클이 잠겨 있지 않음</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is permitted</source>
+            <translation>REMOTE 및 PLAY에서의 잡 선택이 허가됨</translation>
+        </message>
+        <message>
+            <source>Changing the master job is permitted</source>
+            <translation>마스터 잡의 변경이 허가됨</translation>
+        </message>
+        <message>
+            <source>The job exists on the controller</source>
+            <translation>잡이 컨트롤러에 있음</translation>
+        </message>
+        <message>
+            <source>Nothing is being edited at the pendant</source>
+            <translation>펜던트에서 편집 중인 것이 없음</translation>
+        </message>
+        <message>
+            <source>No other function uses the files</source>
+            <translation>다른 기능이 파일을 사용하고 있지 않음</translation>
+        </message>
+        <message>
+            <source>The data are not protected</source>
+            <translation>데이터가 보호되어 있지 않음</translation>
+        </message>
+        <message>
+            <source>Replacing existing files is permitted</source>
+            <translation>기존 파일 바꾸기가 허가됨</translation>
+        </message>
+        <message>
+            <source>There is no link to the controller</source>
+            <translation>컨트롤러와 통신되지 않음</translation>
+        </message>
+        <message>
+            <source>connect, or wait until it answers again</source>
+            <translation>연결하거나, 다시 응답할 때까지 기다리십시오</translation>
+        </message>
+        <message>
+            <source>The access level is Monitor</source>
+            <translation>액세스 레벨이 “모니터”임</translation>
+        </message>
+        <message>
+            <source>switch to Operate in the strip (Ctrl+L)</source>
+            <translation>상태 표시줄에서 “조작”으로 전환하십시오 (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The access level is not Engineer</source>
+            <translation>액세스 레벨이 “엔지니어”가 아님</translation>
+        </message>
+        <message>
+            <source>switch to Engineer in the strip (Ctrl+L)</source>
+            <translation>상태 표시줄에서 “엔지니어”로 전환하십시오 (Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The status was not read just now</source>
+            <translation>상태가 최신이 아님</translation>
+        </message>
+        <message>
+            <source>wait a moment; if it stays so, look at the link</source>
+            <translation>잠시 기다리십시오. 계속되면 통신을 확인하십시오</translation>
+        </message>
+        <message>
+            <source>This controller is not armed</source>
+            <translation>이 컨트롤러가 동작 허가되지 않음</translation>
+        </message>
+        <message>
+            <source>arm it on this page</source>
+            <translation>이 페이지에서 동작 허가하십시오</translation>
+        </message>
+        <message>
+            <source>REMOTE is off</source>
+            <translation>REMOTE가 OFF임</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and switch on CMD REMOTE SEL: %1</source>
+            <translation>펜던트의 모드 키를 REMOTE로 하고 CMD REMOTE SEL을 ON으로 하십시오: %1</translation>
+        </message>
+        <message>
+            <source>The mode is not PLAY</source>
+            <translation>모드가 PLAY가 아님</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to PLAY or REMOTE</source>
+            <translation>펜던트의 모드 키를 PLAY 또는 REMOTE로 하십시오</translation>
+        </message>
+        <message>
+            <source>The controller is in TEACH</source>
+            <translation>컨트롤러가 TEACH 모드임</translation>
+        </message>
+        <message>
+            <source>the person at the pendant has the robot: turn the key to REMOTE when that is over</source>
+            <translation>펜던트를 가진 사람이 로봇을 조작 중입니다. 그 작업이 끝나면 모드 키를 REMOTE로 하십시오</translation>
+        </message>
+        <message>
+            <source>There is an alarm</source>
+            <translation>알람이 있음</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset it on the Alarms page</source>
+            <translation>원인을 제거한 후 “알람” 페이지에서 리셋하십시오</translation>
+        </message>
+        <message>
+            <source>There is an error</source>
+            <translation>에러가 있음</translation>
+        </message>
+        <message>
+            <source>read it on the Alarms page, then cancel it</source>
+            <translation>“알람” 페이지에서 내용을 읽은 후 취소하십시오</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>펜던트에 의한 홀드 중</translation>
+        </message>
+        <message>
+            <source>release it there</source>
+            <translation>홀드한 곳에서 해제하십시오</translation>
+        </message>
+        <message>
+            <source>Held by an external signal</source>
+            <translation>외부 신호에 의한 홀드 중</translation>
+        </message>
+        <message>
+            <source>release it where that signal comes from</source>
+            <translation>그 신호를 보내는 곳에서 해제하십시오</translation>
+        </message>
+        <message>
+            <source>release HOLD on the Jobs page</source>
+            <translation>“잡” 페이지에서 HOLD를 해제하십시오</translation>
+        </message>
+        <message>
+            <source>No command holds the robot</source>
+            <translation>커맨드에 의한 홀드 중이 아님</translation>
+        </message>
+        <message>
+            <source>there is nothing to release from here</source>
+            <translation>여기서 해제할 것이 없습니다</translation>
+        </message>
+        <message>
+            <source>Servo power is off</source>
+            <translation>서보 전원이 OFF임</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>서보를 ON으로 하십시오</translation>
+        </message>
+        <message>
+            <source>A job is running</source>
+            <translation>잡이 실행 중</translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or hold it</source>
+            <translation>끝날 때까지 기다리거나 홀드하십시오</translation>
+        </message>
+        <message>
+            <source>No job is selected</source>
+            <translation>선택된 잡이 없음</translation>
+        </message>
+        <message>
+            <source>select one on the Jobs page</source>
+            <translation>“잡” 페이지에서 잡을 선택하십시오</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is not verified</source>
+            <translation>변수 번호 방식이 대조되지 않음</translation>
+        </message>
+        <message>
+            <source>compare two variables with the pendant (Variables page)</source>
+            <translation>변수 두 개를 펜던트와 비교하십시오 (“변수” 페이지)</translation>
+        </message>
+        <message>
+            <source>This model takes no move orders</source>
+            <translation>이 기종은 이동 명령을 받지 않음</translation>
+        </message>
+        <message>
+            <source>move it with the pendant</source>
+            <translation>펜던트로 로봇을 움직이십시오</translation>
+        </message>
+        <message>
+            <source>The safety circuit is open</source>
+            <translation>안전 회로가 열려 있음</translation>
+        </message>
+        <message>
+            <source>look at emergency stops, doors and the enabling switch</source>
+            <translation>비상 정지, 안전문, 인에이블 스위치를 확인하십시오</translation>
+        </message>
+        <message>
+            <source>Held by a playback panel</source>
+            <translation>플레이백 패널에 의한 홀드 중</translation>
+        </message>
+        <message>
+            <source>Home position or position check is missing</source>
+            <translation>원점 위치 또는 위치 확인이 완료되지 않음</translation>
+        </message>
+        <message>
+            <source>confirm the position at the pendant</source>
+            <translation>펜던트에서 위치를 확인하십시오</translation>
+        </message>
+        <message>
+            <source>Starting is locked at the panel</source>
+            <translation>패널에서 기동이 잠겨 있음</translation>
+        </message>
+        <message>
+            <source>release the start lock (I/O or panel prohibit) at the cell</source>
+            <translation>셀에서 기동 잠금(I/O 또는 패널 조작 금지)을 해제하십시오</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are locked at the panel</source>
+            <translation>패널에서 모드와 사이클이 잠겨 있음</translation>
+        </message>
+        <message>
+            <source>release the panel lock (I/O or panel prohibit) at the cell</source>
+            <translation>셀에서 패널 잠금(I/O 또는 패널 조작 금지)을 해제하십시오</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is prohibited</source>
+            <translation>REMOTE 및 PLAY에서의 잡 선택이 금지됨</translation>
+        </message>
+        <message>
+            <source>set “job select when remote and play” to permit: %1</source>
+            <translation>“job select when remote and play”(REMOTE 및 PLAY에서의 잡 선택)를 허가로 설정하십시오: %1</translation>
+        </message>
+        <message>
+            <source>Changing the master job is prohibited</source>
+            <translation>마스터 잡의 변경이 금지됨</translation>
+        </message>
+        <message>
+            <source>permit it at the pendant (master call, teach lock): %1</source>
+            <translation>펜던트에서 허가하십시오 (마스터 호출, 티칭 잠금): %1</translation>
+        </message>
+        <message>
+            <source>The job is not on the controller</source>
+            <translation>잡이 컨트롤러에 없음</translation>
+        </message>
+        <message>
+            <source>read the list of jobs again</source>
+            <translation>잡 리스트를 다시 읽으십시오</translation>
+        </message>
+        <message>
+            <source>Something is being edited at the pendant</source>
+            <translation>펜던트에서 편집 중인 것이 있음</translation>
+        </message>
+        <message>
+            <source>leave the editor there</source>
+            <translation>펜던트에서 편집을 종료하십시오</translation>
+        </message>
+        <message>
+            <source>Another function uses the files</source>
+            <translation>다른 기능이 파일을 사용 중</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>잠시 후 다시 시도하십시오</translation>
+        </message>
+        <message>
+            <source>The data are protected</source>
+            <translation>데이터가 보호되어 있음</translation>
+        </message>
+        <message>
+            <source>release the protection at the pendant</source>
+            <translation>펜던트에서 보호를 해제하십시오</translation>
+        </message>
+        <message>
+            <source>Replacing files is not permitted</source>
+            <translation>파일 바꾸기가 허가되지 않음</translation>
+        </message>
+        <message>
+            <source>set the parameters RS029 and RS214 to 1: %1</source>
+            <translation>파라미터 RS029와 RS214를 1로 설정하십시오: %1</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION COND. 또는 FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE</source>
+            <translation>SETUP, FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION COND. 또는 TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE or TEACHING COND.</source>
+            <translation>SETUP, FUNCTION ENABLE 또는 TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>PARAMETER, RS (management mode)</source>
+            <translation>PARAMETER, RS (관리 모드)</translation>
+        </message>
     </context>
     <context>
         <name>LinkView</name>
@@ -301,6 +737,29 @@
         </message>
     </context>
     <context>
+        <name>Noise</name>
+        <message>
+            <source>Date of the last change of a job (///DATE)</source>
+            <translation>잡의 마지막 변경 날짜 (///DATE)</translation>
+        </message>
+        <message>
+            <source>Dates and times of day, such as 2026/01/31 08:30</source>
+            <translation>날짜와 시각 (예: 2026/01/31 08:30)</translation>
+        </message>
+        <message>
+            <source>Operating time counters, such as 18:19'02</source>
+            <translation>가동 시간 카운터 (예: 18:19'02)</translation>
+        </message>
+        <message>
+            <source>Blanks at the end of a line</source>
+            <translation>행 끝의 공백</translation>
+        </message>
+        <message>
+            <source>Line ends: CR LF or LF, and whether the last line has one</source>
+            <translation>행 끝: CR LF 또는 LF, 마지막 행의 행 끝 유무</translation>
+        </message>
+    </context>
+    <context>
         <name>OrderRecords</name>
         <message>
             <source>✓ done</source>
@@ -317,6 +776,57 @@
         <message>
             <source>□ not sent</source>
             <translation>□ 송신 안 함</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Overview</source>
+            <translation>개요</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>I/O</source>
+            <translation>I/O</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>레지스터</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>변수</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>위치</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>조그와 이동</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>트렌드</translation>
+        </message>
+        <message>
+            <source>Jobs</source>
+            <translation>잡</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Backup</source>
+            <translation>백업</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>조작 이력</translation>
         </message>
     </context>
     <context>
@@ -1903,6 +2413,53 @@
         </message>
     </context>
     <context>
+        <name>models::OrderModel</name>
+        <message>
+            <source>Time</source>
+            <translation>시각</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>컨트롤러</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>내용</translation>
+        </message>
+        <message>
+            <source>Of</source>
+            <translation>대상</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>변경</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>결과</translation>
+        </message>
+        <message>
+            <source>Reply</source>
+            <translation>응답</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>조작자</translation>
+        </message>
+        <message>
+            <source>Computer</source>
+            <translation>컴퓨터</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>레벨</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>ms</translation>
+        </message>
+    </context>
+    <context>
         <name>models::QueueModel</name>
         <message>
             <source>waiting</source>
@@ -3109,6 +3666,22 @@
             <source>master task</source>
             <translation>마스터 태스크</translation>
         </message>
+        <message>
+            <source>Job</source>
+            <translation>잡</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>행</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>스텝</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>속도 오버라이드</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobListCard</name>
@@ -3383,7 +3956,7 @@
         </message>
         <message>
             <source>Time</source>
-            <translation>소요 시간</translation>
+            <translation>시각</translation>
         </message>
         <message>
             <source>Search</source>
@@ -4100,6 +4673,46 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>State</source>
             <translation>상태</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>모드</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>사이클</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>서보</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>운전</translation>
+        </message>
+        <message>
+            <source>Hold · pendant</source>
+            <translation>홀드 · 펜던트</translation>
+        </message>
+        <message>
+            <source>Hold · external</source>
+            <translation>홀드 · 외부</translation>
+        </message>
+        <message>
+            <source>Hold · command</source>
+            <translation>홀드 · 커맨드</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>에러</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>속도 제한</translation>
         </message>
     </context>
     <context>
@@ -6442,6 +7055,30 @@ HOLD는 네트워크를 통한 소프트웨어 홀드이며 안전 기능이 아
         <message>
             <source>not connected</source>
             <translation>연결 안 됨</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>모드</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>서보</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>운전</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>홀드</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>에러</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,54 @@
             <source> or </source>
             <translation> 或 </translation>
         </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD（软件）</translation>
+        </message>
+        <message>
+            <source>Access level…</source>
+            <translation>访问级别…</translation>
+        </message>
+        <message>
+            <source>Open this page in its own window</source>
+            <translation>在单独的窗口中打开此页面</translation>
+        </message>
+        <message>
+            <source>Connect…</source>
+            <translation>连接…</translation>
+        </message>
+        <message>
+            <source>Connect to this controller</source>
+            <translation>连接到此控制器</translation>
+        </message>
+        <message>
+            <source>Disconnect</source>
+            <translation>断开连接</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>打开演示</translation>
+        </message>
+        <message>
+            <source>Diagnose…</source>
+            <translation>诊断…</translation>
+        </message>
+        <message>
+            <source>Copy diagnosis</source>
+            <translation>复制诊断结果</translation>
+        </message>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>键盘快捷键</translation>
+        </message>
+        <message>
+            <source>About Pendesk</source>
+            <translation>关于 Pendesk</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>退出</translation>
+        </message>
     </context>
     <context>
         <name>Alarms</name>
@@ -231,6 +279,394 @@
             <source>another controller was armed</source>
             <translation>激活了另一台控制器</translation>
         </message>
+        <message>
+            <source>The link to the controller is up</source>
+            <translation>与控制器的链路正常</translation>
+        </message>
+        <message>
+            <source>The access level is Operate or Engineer</source>
+            <translation>访问级别为“操作”或“工程师”</translation>
+        </message>
+        <message>
+            <source>The access level is Engineer</source>
+            <translation>访问级别为“工程师”</translation>
+        </message>
+        <message>
+            <source>The status is fresh</source>
+            <translation>状态为最新</translation>
+        </message>
+        <message>
+            <source>This controller is armed</source>
+            <translation>此控制器已激活</translation>
+        </message>
+        <message>
+            <source>REMOTE is on</source>
+            <translation>REMOTE 已接通</translation>
+        </message>
+        <message>
+            <source>The mode is PLAY</source>
+            <translation>模式为 PLAY</translation>
+        </message>
+        <message>
+            <source>The mode is not TEACH</source>
+            <translation>模式不是 TEACH</translation>
+        </message>
+        <message>
+            <source>There is no alarm</source>
+            <translation>没有报警</translation>
+        </message>
+        <message>
+            <source>There is no error</source>
+            <translation>没有错误</translation>
+        </message>
+        <message>
+            <source>Not held by the pendant</source>
+            <translation>示教编程器未保持 HOLD</translation>
+        </message>
+        <message>
+            <source>Not held by an external signal</source>
+            <translation>外部信号未保持 HOLD</translation>
+        </message>
+        <message>
+            <source>Not held by a command</source>
+            <translation>命令未保持 HOLD</translation>
+        </message>
+        <message>
+            <source>Held by a command</source>
+            <translation>由命令保持 HOLD</translation>
+        </message>
+        <message>
+            <source>Servo power is on</source>
+            <translation>伺服电源已接通</translation>
+        </message>
+        <message>
+            <source>No job is running</source>
+            <translation>没有程序在运行</translation>
+        </message>
+        <message>
+            <source>A job is selected</source>
+            <translation>已选择程序</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is verified</source>
+            <translation>变量编号已验证</translation>
+        </message>
+        <message>
+            <source>The model takes move orders</source>
+            <translation>该机型接受移动命令</translation>
+        </message>
+        <message>
+            <source>The safety circuit is closed</source>
+            <translation>安全回路已闭合</translation>
+        </message>
+        <message>
+            <source>Not held by a playback panel</source>
+            <translation>再现操作面板未保持 HOLD</translation>
+        </message>
+        <message>
+            <source>Home position and position check are confirmed</source>
+            <translation>原点位置和位置确认均已完成</translation>
+        </message>
+        <message>
+            <source>Starting is not locked at the panel</source>
+            <translation>面板未锁定启动</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are not locked at the panel</source>
+            <translation>面板未锁定模式和循环</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is permitted</source>
+            <translation>允许在 REMOTE 和 PLAY 时选择程序</translation>
+        </message>
+        <message>
+            <source>Changing the master job is permitted</source>
+            <translation>允许更改主程序</translation>
+        </message>
+        <message>
+            <source>The job exists on the controller</source>
+            <translation>控制器上存在该程序</translation>
+        </message>
+        <message>
+            <source>Nothing is being edited at the pendant</source>
+            <translation>示教编程器上没有正在编辑的内容</translation>
+        </message>
+        <message>
+            <source>No other function uses the files</source>
+            <translation>没有其他功能正在使用文件</translation>
+        </message>
+        <message>
+            <source>The data are not protected</source>
+            <translation>数据未受保护</translation>
+        </message>
+        <message>
+            <source>Replacing existing files is permitted</source>
+            <translation>允许替换已有文件</translation>
+        </message>
+        <message>
+            <source>There is no link to the controller</source>
+            <translation>与控制器没有链路</translation>
+        </message>
+        <message>
+            <source>connect, or wait until it answers again</source>
+            <translation>请连接，或等待其再次应答</translation>
+        </message>
+        <message>
+            <source>The access level is Monitor</source>
+            <translation>访问级别为“监视”</translation>
+        </message>
+        <message>
+            <source>switch to Operate in the strip (Ctrl+L)</source>
+            <translation>请在状态条中切换到“操作”(Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The access level is not Engineer</source>
+            <translation>访问级别不是“工程师”</translation>
+        </message>
+        <message>
+            <source>switch to Engineer in the strip (Ctrl+L)</source>
+            <translation>请在状态条中切换到“工程师”(Ctrl+L)</translation>
+        </message>
+        <message>
+            <source>The status was not read just now</source>
+            <translation>刚才未读取到状态</translation>
+        </message>
+        <message>
+            <source>wait a moment; if it stays so, look at the link</source>
+            <translation>请稍候；如果仍然如此，请检查链路</translation>
+        </message>
+        <message>
+            <source>This controller is not armed</source>
+            <translation>此控制器未激活</translation>
+        </message>
+        <message>
+            <source>arm it on this page</source>
+            <translation>请在此页面上激活</translation>
+        </message>
+        <message>
+            <source>REMOTE is off</source>
+            <translation>REMOTE 已断开</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to REMOTE and switch on CMD REMOTE SEL: %1</source>
+            <translation>请将示教编程器的钥匙开关转到 REMOTE，并接通 CMD REMOTE SEL：%1</translation>
+        </message>
+        <message>
+            <source>The mode is not PLAY</source>
+            <translation>模式不是 PLAY</translation>
+        </message>
+        <message>
+            <source>turn the pendant key to PLAY or REMOTE</source>
+            <translation>请将示教编程器的钥匙开关转到 PLAY 或 REMOTE</translation>
+        </message>
+        <message>
+            <source>The controller is in TEACH</source>
+            <translation>控制器处于 TEACH</translation>
+        </message>
+        <message>
+            <source>the person at the pendant has the robot: turn the key to REMOTE when that is over</source>
+            <translation>机器人由示教编程器旁的人员控制：请在其操作结束后将钥匙开关转到 REMOTE</translation>
+        </message>
+        <message>
+            <source>There is an alarm</source>
+            <translation>有报警</translation>
+        </message>
+        <message>
+            <source>remove its cause, then reset it on the Alarms page</source>
+            <translation>请消除其原因，然后在“报警”页面上复位</translation>
+        </message>
+        <message>
+            <source>There is an error</source>
+            <translation>有错误</translation>
+        </message>
+        <message>
+            <source>read it on the Alarms page, then cancel it</source>
+            <translation>请在“报警”页面上查看，然后解除</translation>
+        </message>
+        <message>
+            <source>Held by the pendant</source>
+            <translation>由示教编程器保持 HOLD</translation>
+        </message>
+        <message>
+            <source>release it there</source>
+            <translation>请在该处解除 HOLD</translation>
+        </message>
+        <message>
+            <source>Held by an external signal</source>
+            <translation>由外部信号保持 HOLD</translation>
+        </message>
+        <message>
+            <source>release it where that signal comes from</source>
+            <translation>请在该信号的来源处解除</translation>
+        </message>
+        <message>
+            <source>release HOLD on the Jobs page</source>
+            <translation>请在“程序”页面上解除 HOLD</translation>
+        </message>
+        <message>
+            <source>No command holds the robot</source>
+            <translation>没有命令使机器人保持 HOLD</translation>
+        </message>
+        <message>
+            <source>there is nothing to release from here</source>
+            <translation>此处没有可解除的 HOLD</translation>
+        </message>
+        <message>
+            <source>Servo power is off</source>
+            <translation>伺服电源已断开</translation>
+        </message>
+        <message>
+            <source>switch servo on</source>
+            <translation>请接通伺服</translation>
+        </message>
+        <message>
+            <source>A job is running</source>
+            <translation>有程序正在运行</translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or hold it</source>
+            <translation>请等待其结束，或执行 HOLD</translation>
+        </message>
+        <message>
+            <source>No job is selected</source>
+            <translation>未选择程序</translation>
+        </message>
+        <message>
+            <source>select one on the Jobs page</source>
+            <translation>请在“程序”页面上选择一个程序</translation>
+        </message>
+        <message>
+            <source>The numbering of variables is not verified</source>
+            <translation>变量编号未验证</translation>
+        </message>
+        <message>
+            <source>compare two variables with the pendant (Variables page)</source>
+            <translation>请将两个变量与示教编程器比较（“变量”页面）</translation>
+        </message>
+        <message>
+            <source>This model takes no move orders</source>
+            <translation>此机型不接受移动命令</translation>
+        </message>
+        <message>
+            <source>move it with the pendant</source>
+            <translation>请用示教编程器移动</translation>
+        </message>
+        <message>
+            <source>The safety circuit is open</source>
+            <translation>安全回路已断开</translation>
+        </message>
+        <message>
+            <source>look at emergency stops, doors and the enabling switch</source>
+            <translation>请检查急停、安全门和使能开关</translation>
+        </message>
+        <message>
+            <source>Held by a playback panel</source>
+            <translation>由再现操作面板保持 HOLD</translation>
+        </message>
+        <message>
+            <source>Home position or position check is missing</source>
+            <translation>缺少原点位置或位置确认</translation>
+        </message>
+        <message>
+            <source>confirm the position at the pendant</source>
+            <translation>请在示教编程器上确认位置</translation>
+        </message>
+        <message>
+            <source>Starting is locked at the panel</source>
+            <translation>面板已锁定启动</translation>
+        </message>
+        <message>
+            <source>release the start lock (I/O or panel prohibit) at the cell</source>
+            <translation>请在机器人单元处解除启动锁定（I/O 或面板禁止）</translation>
+        </message>
+        <message>
+            <source>Mode and cycle are locked at the panel</source>
+            <translation>面板已锁定模式和循环</translation>
+        </message>
+        <message>
+            <source>release the panel lock (I/O or panel prohibit) at the cell</source>
+            <translation>请在机器人单元处解除面板锁定（I/O 或面板禁止）</translation>
+        </message>
+        <message>
+            <source>Selecting a job in REMOTE and PLAY is prohibited</source>
+            <translation>禁止在 REMOTE 和 PLAY 时选择程序</translation>
+        </message>
+        <message>
+            <source>set “job select when remote and play” to permit: %1</source>
+            <translation>请将“job select when remote and play”设为允许：%1</translation>
+        </message>
+        <message>
+            <source>Changing the master job is prohibited</source>
+            <translation>禁止更改主程序</translation>
+        </message>
+        <message>
+            <source>permit it at the pendant (master call, teach lock): %1</source>
+            <translation>请在示教编程器上允许（主程序调用、示教锁定）：%1</translation>
+        </message>
+        <message>
+            <source>The job is not on the controller</source>
+            <translation>控制器上没有该程序</translation>
+        </message>
+        <message>
+            <source>read the list of jobs again</source>
+            <translation>请重新读取程序列表</translation>
+        </message>
+        <message>
+            <source>Something is being edited at the pendant</source>
+            <translation>示教编程器上有正在编辑的内容</translation>
+        </message>
+        <message>
+            <source>leave the editor there</source>
+            <translation>请在示教编程器上退出编辑</translation>
+        </message>
+        <message>
+            <source>Another function uses the files</source>
+            <translation>其他功能正在使用文件</translation>
+        </message>
+        <message>
+            <source>try again in a moment</source>
+            <translation>请稍后重试</translation>
+        </message>
+        <message>
+            <source>The data are protected</source>
+            <translation>数据受保护</translation>
+        </message>
+        <message>
+            <source>release the protection at the pendant</source>
+            <translation>请在示教编程器上解除保护</translation>
+        </message>
+        <message>
+            <source>Replacing files is not permitted</source>
+            <translation>不允许替换文件</translation>
+        </message>
+        <message>
+            <source>set the parameters RS029 and RS214 to 1: %1</source>
+            <translation>请将参数 RS029 和 RS214 设为 1：%1</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
+            <translation>IN/OUT，PSEUDO INPUT SIG，#82015</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
+            <translation>SETUP，FUNCTION COND. 或 FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE</source>
+            <translation>SETUP，FUNCTION ENABLE</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION COND. or TEACHING COND.</source>
+            <translation>SETUP，FUNCTION COND. 或 TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>SETUP, FUNCTION ENABLE or TEACHING COND.</source>
+            <translation>SETUP，FUNCTION ENABLE 或 TEACHING COND.</translation>
+        </message>
+        <message>
+            <source>PARAMETER, RS (management mode)</source>
+            <translation>PARAMETER，RS（管理模式）</translation>
+        </message>
     </context>
     <context>
         <name>LinkView</name>
@@ -301,6 +737,29 @@
         </message>
     </context>
     <context>
+        <name>Noise</name>
+        <message>
+            <source>Date of the last change of a job (///DATE)</source>
+            <translation>程序的最后更改日期 (///DATE)</translation>
+        </message>
+        <message>
+            <source>Dates and times of day, such as 2026/01/31 08:30</source>
+            <translation>日期和时刻，例如 2026/01/31 08:30</translation>
+        </message>
+        <message>
+            <source>Operating time counters, such as 18:19'02</source>
+            <translation>运行时间计数器，例如 18:19'02</translation>
+        </message>
+        <message>
+            <source>Blanks at the end of a line</source>
+            <translation>行末空格</translation>
+        </message>
+        <message>
+            <source>Line ends: CR LF or LF, and whether the last line has one</source>
+            <translation>行尾：CR LF 或 LF，以及最后一行是否有行尾</translation>
+        </message>
+    </context>
+    <context>
         <name>OrderRecords</name>
         <message>
             <source>✓ done</source>
@@ -317,6 +776,57 @@
         <message>
             <source>□ not sent</source>
             <translation>□ 未发送</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Overview</source>
+            <translation>概览</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>报警</translation>
+        </message>
+        <message>
+            <source>I/O</source>
+            <translation>I/O</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>寄存器</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>变量</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>点动和移动</translation>
+        </message>
+        <message>
+            <source>Trend</source>
+            <translation>趋势</translation>
+        </message>
+        <message>
+            <source>Jobs</source>
+            <translation>程序</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Backup</source>
+            <translation>备份</translation>
+        </message>
+        <message>
+            <source>Journal</source>
+            <translation>日志</translation>
         </message>
     </context>
     <context>
@@ -1903,6 +2413,53 @@
         </message>
     </context>
     <context>
+        <name>models::OrderModel</name>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>控制器</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Of</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>变化</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>结果</translation>
+        </message>
+        <message>
+            <source>Reply</source>
+            <translation>应答</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>操作者</translation>
+        </message>
+        <message>
+            <source>Computer</source>
+            <translation>计算机</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>级别</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>ms</translation>
+        </message>
+    </context>
+    <context>
         <name>models::QueueModel</name>
         <message>
             <source>waiting</source>
@@ -3109,6 +3666,22 @@
             <source>master task</source>
             <translation>主任务</translation>
         </message>
+        <message>
+            <source>Job</source>
+            <translation>程序</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>程序点</translation>
+        </message>
+        <message>
+            <source>Speed override</source>
+            <translation>速度倍率</translation>
+        </message>
     </context>
     <context>
         <name>pages::JobListCard</name>
@@ -4100,6 +4673,46 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>State</source>
             <translation>状态</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>模式</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>循环</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>伺服</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>运行</translation>
+        </message>
+        <message>
+            <source>Hold · pendant</source>
+            <translation>HOLD · 示教编程器</translation>
+        </message>
+        <message>
+            <source>Hold · external</source>
+            <translation>HOLD · 外部</translation>
+        </message>
+        <message>
+            <source>Hold · command</source>
+            <translation>HOLD · 命令</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>报警</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>错误</translation>
+        </message>
+        <message>
+            <source>Speed limit</source>
+            <translation>速度限制</translation>
         </message>
     </context>
     <context>
@@ -6442,6 +7055,30 @@ HOLD 是通过网络执行的软件 HOLD，不是安全功能。</translation>
         <message>
             <source>not connected</source>
             <translation>未连接</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>模式</translation>
+        </message>
+        <message>
+            <source>Servo</source>
+            <translation>伺服</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>运行</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>HOLD</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>报警</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>错误</translation>
         </message>
     </context>
     <context>

@@ -10,22 +10,23 @@ namespace ui {
 
 namespace {
 
-#define ACTION(text) QT_TRANSLATE_NOOP("Actions", text)
 constexpr ActionRow rows[] {
-    {ActionId::Hold, "holdAction", ACTION("HOLD (software)"), "Pause; Ctrl+Shift+H", "hold"},
-    {ActionId::Access, "accessAction", ACTION("Access level…"), "Ctrl+L", ""},
-    {ActionId::OpenInWindow, "openInWindowAction", ACTION("Open this page in its own window"), "Ctrl+Shift+N", ""},
-    {ActionId::Connect, "connectAction", ACTION("Connect…"), "Ctrl+O", "connect"},
-    {ActionId::Reconnect, "reconnectAction", ACTION("Connect to this controller"), "Ctrl+R", "connect"},
-    {ActionId::Disconnect, "disconnectAction", ACTION("Disconnect"), "Ctrl+W", "disconnect"},
-    {ActionId::Demo, "demoAction", ACTION("Open the demo"), "Ctrl+Shift+D", "demo"},
-    {ActionId::Diagnose, "diagnoseAction", ACTION("Diagnose…"), "Ctrl+D", "diagnose"},
-    {ActionId::CopyDiagnosis, "copyDiagnosisAction", ACTION("Copy diagnosis"), "Ctrl+Shift+C", "copy"},
-    {ActionId::Shortcuts, "shortcutsAction", ACTION("Keyboard shortcuts"), "F1", ""},
-    {ActionId::About, "aboutAction", ACTION("About Pendesk"), "", ""},
-    {ActionId::Quit, "quitAction", ACTION("Quit"), "Ctrl+Q", ""},
+    {ActionId::Hold, "holdAction", QT_TRANSLATE_NOOP("Actions", "HOLD (software)"), "Pause; Ctrl+Shift+H", "hold"},
+    {ActionId::Access, "accessAction", QT_TRANSLATE_NOOP("Actions", "Access level…"), "Ctrl+L", ""},
+    {ActionId::OpenInWindow, "openInWindowAction", QT_TRANSLATE_NOOP("Actions", "Open this page in its own window"),
+        "Ctrl+Shift+N", ""},
+    {ActionId::Connect, "connectAction", QT_TRANSLATE_NOOP("Actions", "Connect…"), "Ctrl+O", "connect"},
+    {ActionId::Reconnect, "reconnectAction", QT_TRANSLATE_NOOP("Actions", "Connect to this controller"), "Ctrl+R",
+        "connect"},
+    {ActionId::Disconnect, "disconnectAction", QT_TRANSLATE_NOOP("Actions", "Disconnect"), "Ctrl+W", "disconnect"},
+    {ActionId::Demo, "demoAction", QT_TRANSLATE_NOOP("Actions", "Open the demo"), "Ctrl+Shift+D", "demo"},
+    {ActionId::Diagnose, "diagnoseAction", QT_TRANSLATE_NOOP("Actions", "Diagnose…"), "Ctrl+D", "diagnose"},
+    {ActionId::CopyDiagnosis, "copyDiagnosisAction", QT_TRANSLATE_NOOP("Actions", "Copy diagnosis"), "Ctrl+Shift+C",
+        "copy"},
+    {ActionId::Shortcuts, "shortcutsAction", QT_TRANSLATE_NOOP("Actions", "Keyboard shortcuts"), "F1", ""},
+    {ActionId::About, "aboutAction", QT_TRANSLATE_NOOP("Actions", "About Pendesk"), "", ""},
+    {ActionId::Quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "Quit"), "Ctrl+Q", ""},
 };
-#undef ACTION
 
 QList<QKeySequence> sequences(const char *shortcut)
 {

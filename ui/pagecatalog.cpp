@@ -25,22 +25,20 @@ template <typename Page> pages::Page *create(const pages::Context &context, QWid
     return new Page(context, parent);
 }
 
-#define TITLE(text) QT_TRANSLATE_NOOP("Pages", text)
 constexpr PageRow rows[] {
-    {"overview", TITLE("Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
-    {"alarms", TITLE("Alarms"), "alarms", "Ctrl+2", create<pages::AlarmsPage>},
-    {"io", TITLE("I/O"), "io", "Ctrl+3", create<pages::IoPage>},
-    {"registers", TITLE("Registers"), "registers", "Ctrl+4", create<pages::RegistersPage>},
-    {"variables", TITLE("Variables"), "variables", "Ctrl+5", create<pages::VariablesPage>},
-    {"position", TITLE("Position"), "position", "Ctrl+6", create<pages::PositionPage>},
-    {"motion", TITLE("Jog and move"), "motion", "Ctrl+J", create<pages::MotionPage>},
-    {"trend", TITLE("Trend"), "trend", "Ctrl+T", create<pages::TrendPage>},
-    {"jobs", TITLE("Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},
-    {"files", TITLE("Files"), "files", "Ctrl+8", create<pages::FilesPage>},
-    {"backup", TITLE("Backup"), "backup", "Ctrl+9", create<pages::BackupPage>},
-    {"journal", TITLE("Journal"), "journal", "Ctrl+0", create<pages::JournalPage>},
+    {"overview", QT_TRANSLATE_NOOP("Pages", "Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
+    {"alarms", QT_TRANSLATE_NOOP("Pages", "Alarms"), "alarms", "Ctrl+2", create<pages::AlarmsPage>},
+    {"io", QT_TRANSLATE_NOOP("Pages", "I/O"), "io", "Ctrl+3", create<pages::IoPage>},
+    {"registers", QT_TRANSLATE_NOOP("Pages", "Registers"), "registers", "Ctrl+4", create<pages::RegistersPage>},
+    {"variables", QT_TRANSLATE_NOOP("Pages", "Variables"), "variables", "Ctrl+5", create<pages::VariablesPage>},
+    {"position", QT_TRANSLATE_NOOP("Pages", "Position"), "position", "Ctrl+6", create<pages::PositionPage>},
+    {"motion", QT_TRANSLATE_NOOP("Pages", "Jog and move"), "motion", "Ctrl+J", create<pages::MotionPage>},
+    {"trend", QT_TRANSLATE_NOOP("Pages", "Trend"), "trend", "Ctrl+T", create<pages::TrendPage>},
+    {"jobs", QT_TRANSLATE_NOOP("Pages", "Jobs"), "jobs", "Ctrl+7", create<pages::JobsPage>},
+    {"files", QT_TRANSLATE_NOOP("Pages", "Files"), "files", "Ctrl+8", create<pages::FilesPage>},
+    {"backup", QT_TRANSLATE_NOOP("Pages", "Backup"), "backup", "Ctrl+9", create<pages::BackupPage>},
+    {"journal", QT_TRANSLATE_NOOP("Pages", "Journal"), "journal", "Ctrl+0", create<pages::JournalPage>},
 };
-#undef TITLE
 
 } // namespace
 

@@ -28,16 +28,14 @@ struct Field {
     bool isElided = false; ///< Words that may grow long; all of them are on the overview.
 };
 
-#define TITLE(text) QT_TRANSLATE_NOOP("ui::RobotStrip", text)
 constexpr Field fields[] {
-    {"stripMode", TITLE("Mode"), modeWord, true},
-    {"stripServo", TITLE("Servo"), servoWord},
-    {"stripRun", TITLE("Run"), runWord, true},
-    {"stripHold", TITLE("Hold"), holdWord, true},
-    {"stripAlarm", TITLE("Alarm"), alarmWord},
-    {"stripError", TITLE("Error"), errorWord},
+    {"stripMode", QT_TRANSLATE_NOOP("ui::RobotStrip", "Mode"), modeWord, true},
+    {"stripServo", QT_TRANSLATE_NOOP("ui::RobotStrip", "Servo"), servoWord},
+    {"stripRun", QT_TRANSLATE_NOOP("ui::RobotStrip", "Run"), runWord, true},
+    {"stripHold", QT_TRANSLATE_NOOP("ui::RobotStrip", "Hold"), holdWord, true},
+    {"stripAlarm", QT_TRANSLATE_NOOP("ui::RobotStrip", "Alarm"), alarmWord},
+    {"stripError", QT_TRANSLATE_NOOP("ui::RobotStrip", "Error"), errorWord},
 };
-#undef TITLE
 
 constexpr int cellMargin = 9;
 

@@ -13,16 +13,16 @@ namespace files {
 
 namespace {
 
-#define TITLE(text) QT_TRANSLATE_NOOP("Noise", text)
 constexpr std::array rules {
-    NoiseRule {"job-dates", TITLE("Date of the last change of a job (///DATE)"), R"(^///DATE [^\r\n]*)"},
     NoiseRule {
-        "times", TITLE("Dates and times of day, such as 2026/01/31 08:30"), R"(\d{4}/\d\d/\d\d( \d\d:\d\d(:\d\d)?)?)"},
-    NoiseRule {"counters", TITLE("Operating time counters, such as 18:19'02"), R"(\d+:\d\d'\d\d)"},
-    NoiseRule {"blanks", TITLE("Blanks at the end of a line"), R"([ \t]+(?=[\r\n]*\z))"},
-    NoiseRule {"line-ends", TITLE("Line ends: CR LF or LF, and whether the last line has one"), R"([\r\n]+\z)"},
+        "job-dates", QT_TRANSLATE_NOOP("Noise", "Date of the last change of a job (///DATE)"), R"(^///DATE [^\r\n]*)"},
+    NoiseRule {"times", QT_TRANSLATE_NOOP("Noise", "Dates and times of day, such as 2026/01/31 08:30"),
+        R"(\d{4}/\d\d/\d\d( \d\d:\d\d(:\d\d)?)?)"},
+    NoiseRule {"counters", QT_TRANSLATE_NOOP("Noise", "Operating time counters, such as 18:19'02"), R"(\d+:\d\d'\d\d)"},
+    NoiseRule {"blanks", QT_TRANSLATE_NOOP("Noise", "Blanks at the end of a line"), R"([ \t]+(?=[\r\n]*\z))"},
+    NoiseRule {"line-ends", QT_TRANSLATE_NOOP("Noise", "Line ends: CR LF or LF, and whether the last line has one"),
+        R"([\r\n]+\z)"},
 };
-#undef TITLE
 
 /// In the order of `rules`, compiled once.
 const std::vector<QRegularExpression> &expressions()

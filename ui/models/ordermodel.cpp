@@ -18,22 +18,23 @@ struct ColumnRow {
     QString (*text)(const OrderRecord &);
 };
 
-#define TITLE(text) QT_TRANSLATE_NOOP("models::OrderModel", text)
 // One row a column, in the order of OrderModel::Column.
 const ColumnRow table[] {
-    {TITLE("Time"), [](const OrderRecord &order) { return ui::tableTime(order.at); }},
-    {TITLE("Controller"), [](const OrderRecord &order) { return order.controller; }},
-    {TITLE("What"), [](const OrderRecord &order) { return ui::actionTitle(order.action); }},
-    {TITLE("Of"), [](const OrderRecord &order) { return order.subject; }},
-    {TITLE("Change"), ui::changeText},
-    {TITLE("Outcome"), [](const OrderRecord &order) { return ui::word(order.outcome); }},
-    {TITLE("Reply"), ui::replyText},
-    {TITLE("Person"), [](const OrderRecord &order) { return order.user; }},
-    {TITLE("Computer"), [](const OrderRecord &order) { return order.host; }},
-    {TITLE("Level"), [](const OrderRecord &order) { return order.level; }},
-    {TITLE("ms"), [](const OrderRecord &order) { return QLocale().toString(qint64(order.duration.count())); }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Time"), [](const OrderRecord &order) { return ui::tableTime(order.at); }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Controller"), [](const OrderRecord &order) { return order.controller; }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "What"),
+        [](const OrderRecord &order) { return ui::actionTitle(order.action); }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Of"), [](const OrderRecord &order) { return order.subject; }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Change"), ui::changeText},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Outcome"),
+        [](const OrderRecord &order) { return ui::word(order.outcome); }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Reply"), ui::replyText},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Person"), [](const OrderRecord &order) { return order.user; }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Computer"), [](const OrderRecord &order) { return order.host; }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "Level"), [](const OrderRecord &order) { return order.level; }},
+    {QT_TRANSLATE_NOOP("models::OrderModel", "ms"),
+        [](const OrderRecord &order) { return QLocale().toString(qint64(order.duration.count())); }},
 };
-#undef TITLE
 static_assert(std::size(table) == OrderModel::columns);
 
 int alignment(int column)

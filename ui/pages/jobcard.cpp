@@ -27,14 +27,12 @@ struct Field {
     int stretch;
 };
 
-#define TITLE(text) QT_TRANSLATE_NOOP("pages::JobCard", text)
 constexpr Field fields[] {
-    {"job", TITLE("Job"), ui::jobName, 4},
-    {"line", TITLE("Line"), line, 1},
-    {"step", TITLE("Step"), step, 1},
-    {"override", TITLE("Speed override"), speedOverride, 2},
+    {"job", QT_TRANSLATE_NOOP("pages::JobCard", "Job"), ui::jobName, 4},
+    {"line", QT_TRANSLATE_NOOP("pages::JobCard", "Line"), line, 1},
+    {"step", QT_TRANSLATE_NOOP("pages::JobCard", "Step"), step, 1},
+    {"override", QT_TRANSLATE_NOOP("pages::JobCard", "Speed override"), speedOverride, 2},
 };
-#undef TITLE
 
 } // namespace
 

@@ -21,20 +21,18 @@ struct Field {
     int span; ///< Of six columns.
 };
 
-#define TITLE(text) QT_TRANSLATE_NOOP("pages::StateCard", text)
 constexpr Field fields[] {
-    {"mode", TITLE("Mode"), ui::modeWord, 0, 0, 3},
-    {"cycle", TITLE("Cycle"), ui::cycleWord, 0, 3, 3},
-    {"servo", TITLE("Servo"), ui::servoWord, 1, 0, 3},
-    {"run", TITLE("Run"), ui::runWord, 1, 3, 3},
-    {"heldByPendant", TITLE("Hold · pendant"), ui::heldByPendantWord, 2, 0, 2},
-    {"heldExternally", TITLE("Hold · external"), ui::heldExternallyWord, 2, 2, 2},
-    {"heldByCommand", TITLE("Hold · command"), ui::heldByCommandWord, 2, 4, 2},
-    {"alarm", TITLE("Alarm"), ui::alarmWord, 3, 0, 2},
-    {"error", TITLE("Error"), ui::errorWord, 3, 2, 2},
-    {"speedLimit", TITLE("Speed limit"), ui::speedLimitWord, 3, 4, 2},
+    {"mode", QT_TRANSLATE_NOOP("pages::StateCard", "Mode"), ui::modeWord, 0, 0, 3},
+    {"cycle", QT_TRANSLATE_NOOP("pages::StateCard", "Cycle"), ui::cycleWord, 0, 3, 3},
+    {"servo", QT_TRANSLATE_NOOP("pages::StateCard", "Servo"), ui::servoWord, 1, 0, 3},
+    {"run", QT_TRANSLATE_NOOP("pages::StateCard", "Run"), ui::runWord, 1, 3, 3},
+    {"heldByPendant", QT_TRANSLATE_NOOP("pages::StateCard", "Hold · pendant"), ui::heldByPendantWord, 2, 0, 2},
+    {"heldExternally", QT_TRANSLATE_NOOP("pages::StateCard", "Hold · external"), ui::heldExternallyWord, 2, 2, 2},
+    {"heldByCommand", QT_TRANSLATE_NOOP("pages::StateCard", "Hold · command"), ui::heldByCommandWord, 2, 4, 2},
+    {"alarm", QT_TRANSLATE_NOOP("pages::StateCard", "Alarm"), ui::alarmWord, 3, 0, 2},
+    {"error", QT_TRANSLATE_NOOP("pages::StateCard", "Error"), ui::errorWord, 3, 2, 2},
+    {"speedLimit", QT_TRANSLATE_NOOP("pages::StateCard", "Speed limit"), ui::speedLimitWord, 3, 4, 2},
 };
-#undef TITLE
 
 /// Draws a hairline around each of its children.
 class Cells : public QWidget
