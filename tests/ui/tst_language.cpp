@@ -2,6 +2,10 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/language.h"
 
+#include "ui/actioncatalog.h"
+#include "ui/conditionwords.h"
+#include "ui/pagecatalog.h"
+
 #include <QDir>
 #include <QLocale>
 #include <QTest>
@@ -62,6 +66,20 @@ private Q_SLOTS:
         }
         QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
         QVERIFY(sentences > 1000);
+    }
+
+    /// Words that stand in tables, and not where they are shown.
+    void tablesAreTranslated()
+    {
+        for (const ui::Language &language : ui::languages().subspan(1)) {
+            QVERIFY(ui::speak(*qApp, QLatin1String(language.code)));
+            QVERIFY2(ui::title(ui::pageCatalog().front()) != u"Overview", language.code);
+            QVERIFY2(ui::text(ui::actionCatalog()[2]) != u"Open this page in its own window", language.code);
+            QVERIFY2(ui::title(robot::Condition::LinkUp) != u"The link to the controller is up", language.code);
+            QVERIFY2(ui::remedy(robot::Condition::LinkUp, protocol::Model::YRC1000)
+                    != u"connect, or wait until it answers again",
+                language.code);
+        }
     }
 
     void numbersFollow()
