@@ -7,6 +7,7 @@
 #include <QTest>
 #include <archive.h>
 #include <archive_entry.h>
+#include <clocale>
 #include <map>
 
 namespace {
@@ -19,9 +20,7 @@ std::map<QString, QByteArray> unpacked(const QString &path)
     archive_read_support_format_zip(zip);
     archive_entry *entry = nullptr;
     if (archive_read_open_filename(zip, path.toUtf8().constData(), 10240) == ARCHIVE_OK) {
-        // A name that the locale of this test cannot hold is a warning.
-        const auto isEntry = [](int result) { return result == ARCHIVE_OK || result == ARCHIVE_WARN; };
-        while (isEntry(archive_read_next_header(zip, &entry))) {
+        while (archive_read_next_header(zip, &entry) == ARCHIVE_OK) {
             QByteArray content(archive_entry_size(entry), '\0');
             archive_read_data(zip, content.data(), size_t(content.size()));
             found[QString::fromUtf8(archive_entry_pathname_utf8(entry))] = content;
@@ -38,6 +37,9 @@ class TestZip : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// The reader of this test puts names into the locale; the writer does not care.
+    void initTestCase() { QVERIFY(std::setlocale(LC_ALL, "C.UTF-8")); }
+
     void everythingIsInIt()
     {
         const QTemporaryDir root;
