@@ -74,12 +74,25 @@ void TestJobsPage::favouritesStandFirst()
 {
     JobsHarness harness;
     QVERIFY(harness.openJobs());
-    const auto tester = QAbstractItemModelTester(harness.list()->model());
-    harness.choose(QStringLiteral("WELD_A12"));
+    {
+        const auto tester = QAbstractItemModelTester(harness.list()->model());
+        harness.choose(QStringLiteral("WELD_A12"));
+        harness.click("favourite");
+    }
+    const auto first = [&harness] { return harness.list()->model()->index(0, 0).data().toString(); };
+    QCOMPARE(first(), QStringLiteral("★ WELD_A12"));
+    harness.window.connectTo(harness.profile()); // another view of the same controller
+    harness.window.view().openPage(int(harness.window.view().pages().indexOf(harness.page())));
+    // The controller is busy until it gives up the job text that the view before was reading.
+    const auto isFirst = [&] {
+        if (first().isEmpty() && harness.find("readJobs")->isEnabled())
+            harness.click("readJobs");
+        return first() == u"★ WELD_A12";
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isFirst(), 20000);
+    harness.choose(QStringLiteral("★ WELD_A12"));
     harness.click("favourite");
-    QCOMPARE(harness.list()->model()->index(0, 0).data().toString(), QStringLiteral("★ WELD_A12"));
-    harness.click("favourite");
-    QVERIFY(harness.list()->model()->index(0, 0).data().toString() != QStringLiteral("WELD_A12"));
+    QVERIFY(first() != QStringLiteral("WELD_A12"));
 }
 
 void TestJobsPage::aNewListKeepsTheSelection()

@@ -3,7 +3,9 @@
 #include "ui/pages/jobs/joblistcard.h"
 
 #include "protocol/codes.h"
+#include "settings/profilestore.h"
 #include <QHBoxLayout>
+#include <QJsonArray>
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
@@ -12,6 +14,31 @@ namespace pages {
 
 using models::JobListModel;
 using values::FileName;
+
+namespace {
+
+const QString subject = QStringLiteral("favourite jobs");
+const QString names = QStringLiteral("names");
+
+/// Names are bytes in the controller's encoding; in the settings they stand as hex, so that none is lost.
+QSet<QByteArray> readFavourites(const settings::Notes &notes)
+{
+    QSet<QByteArray> result;
+    for (const QJsonValue &name : notes.read(subject).value(names).toArray())
+        result << QByteArray::fromHex(name.toString().toLatin1());
+    return result;
+}
+
+void writeFavourites(settings::Notes notes, const QSet<QByteArray> &favourites)
+{
+    QStringList sorted;
+    for (const QByteArray &name : favourites)
+        sorted << QString::fromLatin1(name.toHex());
+    sorted.sort();
+    notes.write(subject, sorted.isEmpty() ? QJsonObject {} : QJsonObject {{names, QJsonArray::fromStringList(sorted)}});
+}
+
+} // namespace
 
 JobListCard::JobListCard(const Context &context, robot::JobLibrary &library, QWidget *parent)
     : Card(tr("Jobs on the controller"), parent),
@@ -35,6 +62,9 @@ JobListCard::JobListCard(const Context &context, robot::JobLibrary &library, QWi
     connect(m_read, &QPushButton::clicked, &library, &robot::JobLibrary::readList);
     connect(&library, &robot::JobLibrary::listChanged, this, &JobListCard::showList);
     connect(&m_state, &robot::RobotState::changed, this, &JobListCard::showExecuting);
+    m_model->setFavourites(readFavourites(context.store.notes(context.profile.name)));
+    connect(m_model, &JobListModel::favouritesChanged, this,
+        [this, notes = context.store.notes(context.profile.name)] { writeFavourites(notes, m_model->favourites()); });
     showList();
     onCurrentChanged({});
 }
