@@ -4182,10 +4182,6 @@
             <translation>Basisachsen in mm</translation>
         </message>
         <message>
-            <source>P variable</source>
-            <translation>P-Variable</translation>
-        </message>
-        <message>
             <source>Rehearse…</source>
             <translation>Vorab prüfen…</translation>
         </message>
@@ -4262,60 +4258,8 @@
             <translation>% der Achsgeschwindigkeit, höchstens %1</translation>
         </message>
         <message>
-            <source>Take the present position</source>
-            <translation>Aktuelle Position übernehmen</translation>
-        </message>
-        <message>
-            <source>Take P</source>
-            <translation>P übernehmen</translation>
-        </message>
-        <message>
-            <source>Earlier places</source>
-            <translation>Frühere Positionen</translation>
-        </message>
-        <message>
-            <source>Keep the present position as P</source>
-            <translation>Aktuelle Position als P speichern</translation>
-        </message>
-        <message>
             <source>Target of %1 in %2</source>
             <translation>Ziel von %1 in %2</translation>
-        </message>
-        <message>
-            <source>%1 is being read…</source>
-            <translation>%1 wird gelesen…</translation>
-        </message>
-        <message>
-            <source>%1 could not be read: %2.</source>
-            <translation>%1 konnte nicht gelesen werden: %2.</translation>
-        </message>
-        <message>
-            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
-            <translation>%1 ist in einem anderen Koordinatensystem (%2): Wählen Sie zum Übernehmen dieses Koordinatensystem und eine absolute Bewegung.</translation>
-        </message>
-        <message>
-            <source>The target is %1.</source>
-            <translation>Das Ziel ist %1.</translation>
-        </message>
-        <message>
-            <source>Only the present position of a robot can be kept, once it was read.</source>
-            <translation>Nur die aktuelle Position eines Roboters lässt sich speichern, sobald sie gelesen wurde.</translation>
-        </message>
-        <message>
-            <source>%1 was written and read back.</source>
-            <translation>%1 wurde geschrieben und zurückgelesen.</translation>
-        </message>
-        <message>
-            <source>%1 was not verified: %2.</source>
-            <translation>%1 wurde nicht geprüft: %2.</translation>
-        </message>
-        <message>
-            <source>%1 was written, but another value was read back.</source>
-            <translation>%1 wurde geschrieben, aber ein anderer Wert wurde zurückgelesen.</translation>
-        </message>
-        <message>
-            <source>No move has begun in this frame yet</source>
-            <translation>In diesem Koordinatensystem hat noch keine Bewegung begonnen</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -4467,6 +4411,65 @@
         <message>
             <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
             <translation>HLOCK sperrt das Programmierhandgerät. Ob es eingeschaltet ist, lässt sich über HSES nicht lesen; von hier wurde es nicht eingeschaltet.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PointsBar</name>
+        <message>
+            <source>Take the present position</source>
+            <translation>Aktuelle Position übernehmen</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>P übernehmen</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>Frühere Positionen</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>Aktuelle Position als P speichern</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>P-Variable</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>%1 wird gelesen…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>%1 konnte nicht gelesen werden: %2.</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1 ist in einem anderen Koordinatensystem (%2): Wählen Sie zum Übernehmen dieses Koordinatensystem und eine absolute Bewegung.</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>Das Ziel ist %1.</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>Nur die aktuelle Position eines Roboters lässt sich speichern, sobald sie gelesen wurde.</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1 wurde geschrieben und zurückgelesen.</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1 wurde nicht geprüft: %2.</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1 wurde geschrieben, aber ein anderer Wert wurde zurückgelesen.</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>In diesem Koordinatensystem hat noch keine Bewegung begonnen</translation>
         </message>
     </context>
     <context>

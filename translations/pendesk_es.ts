@@ -4182,10 +4182,6 @@
             <translation>Ejes base en mm</translation>
         </message>
         <message>
-            <source>P variable</source>
-            <translation>Variable P</translation>
-        </message>
-        <message>
             <source>Rehearse…</source>
             <translation>Comprobación previa…</translation>
         </message>
@@ -4262,60 +4258,8 @@
             <translation>% de la velocidad articular, como máximo %1</translation>
         </message>
         <message>
-            <source>Take the present position</source>
-            <translation>Tomar la posición actual</translation>
-        </message>
-        <message>
-            <source>Take P</source>
-            <translation>Tomar P</translation>
-        </message>
-        <message>
-            <source>Earlier places</source>
-            <translation>Posiciones anteriores</translation>
-        </message>
-        <message>
-            <source>Keep the present position as P</source>
-            <translation>Guardar la posición actual como P</translation>
-        </message>
-        <message>
             <source>Target of %1 in %2</source>
             <translation>Destino de %1 en %2</translation>
-        </message>
-        <message>
-            <source>%1 is being read…</source>
-            <translation>Leyendo %1…</translation>
-        </message>
-        <message>
-            <source>%1 could not be read: %2.</source>
-            <translation>No se pudo leer %1: %2.</translation>
-        </message>
-        <message>
-            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
-            <translation>%1 está en otro sistema de coordenadas (%2): elija ese sistema y un movimiento absoluto para tomarla.</translation>
-        </message>
-        <message>
-            <source>The target is %1.</source>
-            <translation>El destino es %1.</translation>
-        </message>
-        <message>
-            <source>Only the present position of a robot can be kept, once it was read.</source>
-            <translation>Solo se puede guardar la posición actual de un robot, una vez leída.</translation>
-        </message>
-        <message>
-            <source>%1 was written and read back.</source>
-            <translation>%1 se escribió y se volvió a leer.</translation>
-        </message>
-        <message>
-            <source>%1 was not verified: %2.</source>
-            <translation>%1 no se verificó: %2.</translation>
-        </message>
-        <message>
-            <source>%1 was written, but another value was read back.</source>
-            <translation>%1 se escribió, pero al volver a leer se obtuvo otro valor.</translation>
-        </message>
-        <message>
-            <source>No move has begun in this frame yet</source>
-            <translation>Aún no ha comenzado ningún movimiento en este sistema de coordenadas</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -4467,6 +4411,65 @@
         <message>
             <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
             <translation>HLOCK bloquea la consola de programación. Si está activado no se puede leer por HSES; desde aquí no se activó.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PointsBar</name>
+        <message>
+            <source>Take the present position</source>
+            <translation>Tomar la posición actual</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>Tomar P</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>Posiciones anteriores</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>Guardar la posición actual como P</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>Variable P</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>Leyendo %1…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>No se pudo leer %1: %2.</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1 está en otro sistema de coordenadas (%2): elija ese sistema y un movimiento absoluto para tomarla.</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>El destino es %1.</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>Solo se puede guardar la posición actual de un robot, una vez leída.</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1 se escribió y se volvió a leer.</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1 no se verificó: %2.</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1 se escribió, pero al volver a leer se obtuvo otro valor.</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>Aún no ha comenzado ningún movimiento en este sistema de coordenadas</translation>
         </message>
     </context>
     <context>

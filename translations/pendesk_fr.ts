@@ -4182,10 +4182,6 @@
             <translation>Axes de base en mm</translation>
         </message>
         <message>
-            <source>P variable</source>
-            <translation>Variable P</translation>
-        </message>
-        <message>
             <source>Rehearse…</source>
             <translation>Contrôle préalable…</translation>
         </message>
@@ -4262,60 +4258,8 @@
             <translation>% de la vitesse articulaire, au plus %1</translation>
         </message>
         <message>
-            <source>Take the present position</source>
-            <translation>Reprendre la position actuelle</translation>
-        </message>
-        <message>
-            <source>Take P</source>
-            <translation>Reprendre P</translation>
-        </message>
-        <message>
-            <source>Earlier places</source>
-            <translation>Positions antérieures</translation>
-        </message>
-        <message>
-            <source>Keep the present position as P</source>
-            <translation>Conserver la position actuelle comme P</translation>
-        </message>
-        <message>
             <source>Target of %1 in %2</source>
             <translation>Cible de %1 en %2</translation>
-        </message>
-        <message>
-            <source>%1 is being read…</source>
-            <translation>Lecture de %1 en cours…</translation>
-        </message>
-        <message>
-            <source>%1 could not be read: %2.</source>
-            <translation>%1 n’a pas pu être lu : %2.</translation>
-        </message>
-        <message>
-            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
-            <translation>%1 est dans un autre repère (%2) : choisir ce repère et un mouvement absolu pour la reprendre.</translation>
-        </message>
-        <message>
-            <source>The target is %1.</source>
-            <translation>La cible est %1.</translation>
-        </message>
-        <message>
-            <source>Only the present position of a robot can be kept, once it was read.</source>
-            <translation>Seule la position actuelle d’un robot peut être conservée, une fois lue.</translation>
-        </message>
-        <message>
-            <source>%1 was written and read back.</source>
-            <translation>%1 a été écrit et relu.</translation>
-        </message>
-        <message>
-            <source>%1 was not verified: %2.</source>
-            <translation>%1 n’a pas été vérifié : %2.</translation>
-        </message>
-        <message>
-            <source>%1 was written, but another value was read back.</source>
-            <translation>%1 a été écrit, mais une autre valeur a été relue.</translation>
-        </message>
-        <message>
-            <source>No move has begun in this frame yet</source>
-            <translation>Aucun mouvement n’a encore commencé dans ce repère</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -4467,6 +4411,65 @@
         <message>
             <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
             <translation>HLOCK verrouille le boîtier de programmation. Son état est illisible par HSES ; il n’a pas été activé d’ici.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PointsBar</name>
+        <message>
+            <source>Take the present position</source>
+            <translation>Reprendre la position actuelle</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>Reprendre P</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>Positions antérieures</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>Conserver la position actuelle comme P</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>Variable P</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>Lecture de %1 en cours…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>%1 n’a pas pu être lu : %2.</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1 est dans un autre repère (%2) : choisir ce repère et un mouvement absolu pour la reprendre.</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>La cible est %1.</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>Seule la position actuelle d’un robot peut être conservée, une fois lue.</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1 a été écrit et relu.</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1 n’a pas été vérifié : %2.</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1 a été écrit, mais une autre valeur a été relue.</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>Aucun mouvement n’a encore commencé dans ce repère</translation>
         </message>
     </context>
     <context>

@@ -4150,10 +4150,6 @@
             <translation>ベース軸 (mm)</translation>
         </message>
         <message>
-            <source>P variable</source>
-            <translation>P変数</translation>
-        </message>
-        <message>
             <source>Rehearse…</source>
             <translation>事前確認…</translation>
         </message>
@@ -4230,60 +4226,8 @@
             <translation>関節速度の% (上限 %1)</translation>
         </message>
         <message>
-            <source>Take the present position</source>
-            <translation>現在位置を取込み</translation>
-        </message>
-        <message>
-            <source>Take P</source>
-            <translation>Pを取込み</translation>
-        </message>
-        <message>
-            <source>Earlier places</source>
-            <translation>以前の位置</translation>
-        </message>
-        <message>
-            <source>Keep the present position as P</source>
-            <translation>現在位置をPに保存</translation>
-        </message>
-        <message>
             <source>Target of %1 in %2</source>
             <translation>%1の目標 (%2)</translation>
-        </message>
-        <message>
-            <source>%1 is being read…</source>
-            <translation>%1を読み出しています…</translation>
-        </message>
-        <message>
-            <source>%1 could not be read: %2.</source>
-            <translation>%1を読み出せませんでした: %2。</translation>
-        </message>
-        <message>
-            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
-            <translation>%1は別の座標 (%2) です。取り込むには、その座標と増分ではない移動を選んでください。</translation>
-        </message>
-        <message>
-            <source>The target is %1.</source>
-            <translation>目標は%1です。</translation>
-        </message>
-        <message>
-            <source>Only the present position of a robot can be kept, once it was read.</source>
-            <translation>保存できるのは、読み出した後のロボットの現在位置だけです。</translation>
-        </message>
-        <message>
-            <source>%1 was written and read back.</source>
-            <translation>%1を書き込み、読み戻しました。</translation>
-        </message>
-        <message>
-            <source>%1 was not verified: %2.</source>
-            <translation>%1は照合できていません: %2。</translation>
-        </message>
-        <message>
-            <source>%1 was written, but another value was read back.</source>
-            <translation>%1を書き込みましたが、別の値が読み戻されました。</translation>
-        </message>
-        <message>
-            <source>No move has begun in this frame yet</source>
-            <translation>この座標で始めた移動はまだありません</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -4433,6 +4377,65 @@
         <message>
             <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
             <translation>HLOCKはペンダントの操作を禁止します。オンかどうかはHSESでは読み出せません。ここからはオンにしていません。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PointsBar</name>
+        <message>
+            <source>Take the present position</source>
+            <translation>現在位置を取込み</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>Pを取込み</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>以前の位置</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>現在位置をPに保存</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>P変数</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>%1を読み出しています…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>%1を読み出せませんでした: %2。</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1は別の座標 (%2) です。取り込むには、その座標と増分ではない移動を選んでください。</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>目標は%1です。</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>保存できるのは、読み出した後のロボットの現在位置だけです。</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1を書き込み、読み戻しました。</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1は照合できていません: %2。</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1を書き込みましたが、別の値が読み戻されました。</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>この座標で始めた移動はまだありません</translation>
         </message>
     </context>
     <context>

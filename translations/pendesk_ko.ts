@@ -4150,10 +4150,6 @@
             <translation>베이스축 (mm)</translation>
         </message>
         <message>
-            <source>P variable</source>
-            <translation>P 변수</translation>
-        </message>
-        <message>
             <source>Rehearse…</source>
             <translation>사전 확인…</translation>
         </message>
@@ -4230,60 +4226,8 @@
             <translation>관절 속도의 %, 최대 %1</translation>
         </message>
         <message>
-            <source>Take the present position</source>
-            <translation>현재 위치 가져오기</translation>
-        </message>
-        <message>
-            <source>Take P</source>
-            <translation>P 가져오기</translation>
-        </message>
-        <message>
-            <source>Earlier places</source>
-            <translation>이전 위치</translation>
-        </message>
-        <message>
-            <source>Keep the present position as P</source>
-            <translation>현재 위치를 P로 저장</translation>
-        </message>
-        <message>
             <source>Target of %1 in %2</source>
             <translation>%1의 목표 (%2)</translation>
-        </message>
-        <message>
-            <source>%1 is being read…</source>
-            <translation>%1 읽는 중…</translation>
-        </message>
-        <message>
-            <source>%1 could not be read: %2.</source>
-            <translation>%1을(를) 읽을 수 없었습니다: %2.</translation>
-        </message>
-        <message>
-            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
-            <translation>%1은(는) 다른 좌표(%2)입니다. 가져오려면 그 좌표와 절대 이동을 선택하십시오.</translation>
-        </message>
-        <message>
-            <source>The target is %1.</source>
-            <translation>목표는 %1입니다.</translation>
-        </message>
-        <message>
-            <source>Only the present position of a robot can be kept, once it was read.</source>
-            <translation>로봇의 현재 위치만, 읽은 후에 저장할 수 있습니다.</translation>
-        </message>
-        <message>
-            <source>%1 was written and read back.</source>
-            <translation>%1을(를) 쓰고 다시 읽어 확인했습니다.</translation>
-        </message>
-        <message>
-            <source>%1 was not verified: %2.</source>
-            <translation>%1은(는) 대조되지 않았습니다: %2.</translation>
-        </message>
-        <message>
-            <source>%1 was written, but another value was read back.</source>
-            <translation>%1을(를) 썼으나 다른 값이 읽혔습니다.</translation>
-        </message>
-        <message>
-            <source>No move has begun in this frame yet</source>
-            <translation>이 좌표에서 시작된 이동이 아직 없습니다</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -4433,6 +4377,65 @@
         <message>
             <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
             <translation>HLOCK은 펜던트 조작을 금지합니다. ON인지는 HSES로 읽을 수 없습니다. 여기서는 ON으로 하지 않았습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PointsBar</name>
+        <message>
+            <source>Take the present position</source>
+            <translation>현재 위치 가져오기</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>P 가져오기</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>이전 위치</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>현재 위치를 P로 저장</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>P 변수</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>%1 읽는 중…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>%1을(를) 읽을 수 없었습니다: %2.</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1은(는) 다른 좌표(%2)입니다. 가져오려면 그 좌표와 절대 이동을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>목표는 %1입니다.</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>로봇의 현재 위치만, 읽은 후에 저장할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1을(를) 쓰고 다시 읽어 확인했습니다.</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1은(는) 대조되지 않았습니다: %2.</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1을(를) 썼으나 다른 값이 읽혔습니다.</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>이 좌표에서 시작된 이동이 아직 없습니다</translation>
         </message>
     </context>
     <context>

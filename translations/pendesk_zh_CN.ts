@@ -4150,10 +4150,6 @@
             <translation>基座轴，mm</translation>
         </message>
         <message>
-            <source>P variable</source>
-            <translation>P 变量</translation>
-        </message>
-        <message>
             <source>Rehearse…</source>
             <translation>预检…</translation>
         </message>
@@ -4230,60 +4226,8 @@
             <translation>% 关节速度，最大 %1</translation>
         </message>
         <message>
-            <source>Take the present position</source>
-            <translation>取当前位置</translation>
-        </message>
-        <message>
-            <source>Take P</source>
-            <translation>取 P</translation>
-        </message>
-        <message>
-            <source>Earlier places</source>
-            <translation>以前的位置</translation>
-        </message>
-        <message>
-            <source>Keep the present position as P</source>
-            <translation>将当前位置存为 P</translation>
-        </message>
-        <message>
             <source>Target of %1 in %2</source>
             <translation>%1 的目标（%2）</translation>
-        </message>
-        <message>
-            <source>%1 is being read…</source>
-            <translation>正在读取 %1…</translation>
-        </message>
-        <message>
-            <source>%1 could not be read: %2.</source>
-            <translation>无法读取 %1：%2。</translation>
-        </message>
-        <message>
-            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
-            <translation>%1 在另一坐标系（%2）中：要取用它，请选择该坐标系和绝对移动。</translation>
-        </message>
-        <message>
-            <source>The target is %1.</source>
-            <translation>目标为 %1。</translation>
-        </message>
-        <message>
-            <source>Only the present position of a robot can be kept, once it was read.</source>
-            <translation>只能保存机器人的当前位置，且须已读取。</translation>
-        </message>
-        <message>
-            <source>%1 was written and read back.</source>
-            <translation>%1 已写入并回读。</translation>
-        </message>
-        <message>
-            <source>%1 was not verified: %2.</source>
-            <translation>%1 未验证：%2。</translation>
-        </message>
-        <message>
-            <source>%1 was written, but another value was read back.</source>
-            <translation>%1 已写入，但回读到其他值。</translation>
-        </message>
-        <message>
-            <source>No move has begun in this frame yet</source>
-            <translation>在此坐标系下尚未开始过移动</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -4433,6 +4377,65 @@
         <message>
             <source>HLOCK locks the pendant out. Whether it is on cannot be read over HSES; from here it was not switched on.</source>
             <translation>HLOCK 锁定示教编程器。HLOCK 是否开启无法通过 HSES 读取；未从此处开启过。</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::PointsBar</name>
+        <message>
+            <source>Take the present position</source>
+            <translation>取当前位置</translation>
+        </message>
+        <message>
+            <source>Take P</source>
+            <translation>取 P</translation>
+        </message>
+        <message>
+            <source>Earlier places</source>
+            <translation>以前的位置</translation>
+        </message>
+        <message>
+            <source>Keep the present position as P</source>
+            <translation>将当前位置存为 P</translation>
+        </message>
+        <message>
+            <source>P variable</source>
+            <translation>P 变量</translation>
+        </message>
+        <message>
+            <source>%1 is being read…</source>
+            <translation>正在读取 %1…</translation>
+        </message>
+        <message>
+            <source>%1 could not be read: %2.</source>
+            <translation>无法读取 %1：%2。</translation>
+        </message>
+        <message>
+            <source>%1 is in another frame (%2): choose that frame and an absolute move to take it.</source>
+            <translation>%1 在另一坐标系（%2）中：要取用它，请选择该坐标系和绝对移动。</translation>
+        </message>
+        <message>
+            <source>The target is %1.</source>
+            <translation>目标为 %1。</translation>
+        </message>
+        <message>
+            <source>Only the present position of a robot can be kept, once it was read.</source>
+            <translation>只能保存机器人的当前位置，且须已读取。</translation>
+        </message>
+        <message>
+            <source>%1 was written and read back.</source>
+            <translation>%1 已写入并回读。</translation>
+        </message>
+        <message>
+            <source>%1 was not verified: %2.</source>
+            <translation>%1 未验证：%2。</translation>
+        </message>
+        <message>
+            <source>%1 was written, but another value was read back.</source>
+            <translation>%1 已写入，但回读到其他值。</translation>
+        </message>
+        <message>
+            <source>No move has begun in this frame yet</source>
+            <translation>在此坐标系下尚未开始过移动</translation>
         </message>
     </context>
     <context>

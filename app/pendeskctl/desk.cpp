@@ -4,6 +4,7 @@
 
 #include "protocol/codes.h"
 #include "protocol/requests.h"
+#include "robot/policies.h"
 #include <QHostInfo>
 
 using values::Error;
@@ -13,24 +14,6 @@ using values::Result;
 namespace pendeskctl {
 
 namespace {
-
-session::Policy policyOf(const settings::Profile &profile)
-{
-    session::Policy policy;
-    policy.timeout = profile.readTimeout;
-    policy.repeats = profile.readRepeats;
-    policy.servoTimeout = profile.servoTimeout;
-    policy.window = profile.window;
-    policy.requestsPerSecond = profile.requestsPerSecond;
-    return policy;
-}
-
-session::FilePolicy filePolicyOf(const settings::Profile &profile)
-{
-    session::FilePolicy policy;
-    policy.timeout = profile.fileTimeout;
-    return policy;
-}
 
 Result<void> mayChange(const Result<values::Status> &status)
 {
@@ -47,8 +30,8 @@ Desk::Desk(const Call &call, const QHostAddress &address)
     : m_call {call},
       m_robotTransport {address, call.profile.port},
       m_fileTransport {address, call.profile.filePort},
-      m_robot {m_robotTransport, policyOf(call.profile)},
-      m_files {m_fileTransport, filePolicyOf(call.profile)}
+      m_robot {m_robotTransport, robot::policyOf(call.profile)},
+      m_files {m_fileTransport, robot::filePolicyOf(call.profile)}
 {
 }
 

@@ -57,8 +57,7 @@ Result<Wish> cartesianStep(const JogChoice &choice, JogDirection direction, cons
 
 Result<Wish> axisStep(const JogChoice &choice, JogDirection direction, const Present &present)
 {
-    const bool isTrack = choice.group.instance > 10 && choice.group.instance <= 20;
-    const auto &here = isTrack ? present.track : present.pulse;
+    const auto &here = present.at(choice.group);
     if (!here)
         return no(Texts::tr("The present position was not read."));
     if (direction.axis < 0 || direction.axis >= here->axes.count())

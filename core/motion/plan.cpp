@@ -204,7 +204,7 @@ Result<Plan> planCartesian(const Wish &wish, const Present &present, const Limit
 /// Who moves. A base moves with its robot, whose axes stay where they are (reference §6.3).
 struct PulseGroups {
     explicit PulseGroups(values::ControlGroup group)
-        : isTrack {group.instance > 10 && group.instance <= 20},
+        : isTrack {motion::isTrack(group)},
           robot {group.instance > 20 ? 0U
                   : isTrack          ? group.instance - 10U
                                      : group.instance},
@@ -251,13 +251,23 @@ Result<Plan> planPulses(const Wish &wish, const Present &present, const Limits &
         target.base = *wish.track;
     else if (present.track)
         fill(target.base, present.track->axes);
-    values::Position expected = groups.isTrack ? *present.track : *present.pulse;
+    values::Position expected = *present.at(wish.group);
     for (int axis = 0; axis < std::min(wish.axes.count(), expected.axes.count()); ++axis)
         expected.axes[axis] = wish.axes[axis];
     return Plan {order, wish.group, expected, {}, {}, {}, BoxCheck::NoBox};
 }
 
 } // namespace
+
+std::optional<values::Position> &Present::at(values::ControlGroup group)
+{
+    return group.isCartesian() ? base : isTrack(group) ? track : pulse;
+}
+
+const std::optional<values::Position> &Present::at(values::ControlGroup group) const
+{
+    return const_cast<Present *>(this)->at(group);
+}
 
 bool Plan::isLong() const { return !length || !angle || *length > longLength || *angle > longAngle; }
 

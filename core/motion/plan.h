@@ -33,19 +33,27 @@ struct Speeds {
     bool operator==(const Speeds &) const = default;
 };
 
+/// The group moves the robot's base: B1 to B8, by its pulse instance.
+[[nodiscard]] constexpr bool isTrack(values::ControlGroup group) { return group.instance > 10 && group.instance <= 20; }
+
 /// Where a group stands, as read at rest. What is not there was not read.
 struct Present {
     std::optional<values::Position> base; ///< Base frame; robots only.
     std::optional<values::Position> pulse; ///< Of the robot, or of the station.
     std::optional<values::Position> track; ///< The base axes under the robot, in pulses.
     bool hasTrack = false; ///< The robot has base axes, so that its own frame is another one than the base frame.
+
+    /// The one that an instance of the position command tells (reference §2.1), base cartesian excepted.
+    [[nodiscard]] std::optional<values::Position> &at(values::ControlGroup group);
+    [[nodiscard]] const std::optional<values::Position> &at(values::ControlGroup group) const;
 };
 
 /// What a person asks for.
 struct Wish {
     enum class How { Joint, Straight, Increment };
 
-    values::ControlGroup group = values::ControlGroup::robotPulse(1); ///< A robot, base or station, by its pulse instance.
+    values::ControlGroup group =
+        values::ControlGroup::robotPulse(1); ///< A robot, base or station, by its pulse instance.
     How how = How::Straight;
     values::PositionType frame = values::PositionType::Base; ///< Pulse for a target in pulses.
     values::AxisWords axes; ///< In the units of the frame: the target, or the way with How::Increment.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/controller.h"
 
+#include "robot/policies.h"
 #include "session/filesession.h"
 #include "session/session.h"
 #include "session/udptransport.h"
@@ -22,24 +23,6 @@ constexpr auto resolvePause = 2s;
 constexpr int statusMissesUntilLost = 3;
 
 Time now() { return std::chrono::steady_clock::now(); }
-
-session::Policy policyOf(const settings::Profile &profile)
-{
-    session::Policy policy;
-    policy.timeout = profile.readTimeout;
-    policy.repeats = profile.readRepeats;
-    policy.servoTimeout = profile.servoTimeout;
-    policy.window = profile.window;
-    policy.requestsPerSecond = profile.requestsPerSecond;
-    return policy;
-}
-
-session::FilePolicy filePolicyOf(const settings::Profile &profile)
-{
-    session::FilePolicy policy;
-    policy.timeout = profile.fileTimeout;
-    return policy;
-}
 
 } // namespace
 

@@ -139,7 +139,7 @@ void Jog::readPlaces(const QList<values::ControlGroup> &groups, const values::St
                 m_complaint = protocol::explain(position.error());
                 return;
             }
-            setPlace(m_present, groups.first(), *position);
+            m_present.at(groups.first()) = *position;
             readPlaces(groups.sliced(1), status, statusAt);
         },
         session::Priority::Control);

@@ -93,21 +93,10 @@ motion::Present presentOf(const RobotState &state, ControlGroup group)
     return present;
 }
 
-void setPlace(motion::Present &present, ControlGroup group, const values::Position &position)
-{
-    if (group.isCartesian())
-        present.base = position;
-    else if (group.instance > 10 && group.instance <= 20)
-        present.track = position;
-    else
-        present.pulse = position;
-}
-
 void send(Orders &orders, Act act, const motion::Plan &plan, const motion::Present &present, QObject *context,
     OrderHandler handler)
 {
-    const bool isTrack = plan.watched.instance > 10 && plan.watched.instance <= 20;
-    const auto &from = plan.watched.isCartesian() ? present.base : isTrack ? present.track : present.pulse;
+    const auto &from = present.at(plan.watched);
     const Order order {act, values::toString(plan.watched), from ? toText(*from) : QString(), toText(plan.order)};
     if (const auto *cartesian = std::get_if<motion::CartesianOrder>(&plan.order))
         orders.send(protocol::MoveCartesian {cartesian->how, cartesian->target}, order, context, std::move(handler));

@@ -18,9 +18,6 @@ void send(Orders &orders, Act act, const motion::Plan &plan, const motion::Prese
 /// What is known now of where a robot or a station stands: live readings only.
 [[nodiscard]] motion::Present presentOf(const RobotState &state, values::ControlGroup group);
 
-/// Puts what was read of a group where it belongs.
-void setPlace(motion::Present &present, values::ControlGroup group, const values::Position &position);
-
 /// In the words of the journal, numbers as in files: "base frame X 812.500 Y … , 10.0 mm/s".
 [[nodiscard]] QString toText(const values::Position &position);
 [[nodiscard]] QString toText(const motion::MoveOrder &order);

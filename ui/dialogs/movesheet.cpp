@@ -49,13 +49,6 @@ const values::Speed &speedOf(const motion::MoveOrder &order)
     return std::visit([](const auto &one) -> const values::Speed & { return one.target.speed; }, order);
 }
 
-bool isTrack(values::ControlGroup group) { return group.instance > 10 && group.instance <= 20; }
-
-const std::optional<Position> &placeOf(const motion::Present &present, values::ControlGroup watched)
-{
-    return watched.isCartesian() ? present.base : isTrack(watched) ? present.track : present.pulse;
-}
-
 values::ControlGroup groupOf(values::ControlGroup watched)
 {
     return watched.isCartesian() ? values::ControlGroup::robotPulse(watched.instance - 100) : watched;
@@ -152,7 +145,7 @@ void MoveSheet::makeWidgets()
 void MoveSheet::showPlan(const motion::Present &present, const motion::Limits &limits)
 {
     const motion::Plan &plan = m_move->plan();
-    const auto &from = placeOf(present, plan.watched);
+    const auto &from = present.at(plan.watched);
     m_rows->showText(Controller, m_orders.controller().profile().name);
     m_rows->showText(Group, values::toString(groupOf(plan.watched)));
     m_rows->showText(From, from ? placeText(*from) : tr("not known"));
@@ -235,13 +228,13 @@ bool MoveSheet::hasMovedAway() const
 {
     const auto watched = m_move->plan().watched;
     const auto present = robot::presentOf(m_orders.controller().state(), groupOf(watched));
-    const auto &now = placeOf(present, watched);
+    const auto &now = present.at(watched);
     return now && !isWherePlanned(*now);
 }
 
 bool MoveSheet::isWherePlanned(const Position &position) const
 {
-    const auto &planned = placeOf(m_present, m_move->plan().watched);
+    const auto &planned = m_present.at(m_move->plan().watched);
     return planned && motion::isSamePlace(position, *planned);
 }
 

@@ -3,6 +3,7 @@
 #include "ui/pages/motionpage.h"
 
 #include "ui/pages/cartesiancard.h"
+#include "ui/pages/controlgroups.h"
 #include "ui/pages/motion/jogcard.h"
 #include "ui/pages/motion/movecard.h"
 #include "ui/widgets/armcontrol.h"
@@ -16,7 +17,6 @@
 
 namespace pages {
 
-using robot::Freshness;
 using robot::Kind;
 using robot::TopicRange;
 using values::ControlGroup;
@@ -30,13 +30,6 @@ constexpr Place wide[] {{0, 0, 2, 1}, {0, 1}, {0, 2}, {1, 1, 1, 2}};
 constexpr Place middle[] {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
 constexpr Place narrow[] {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
 constexpr widgets::Arrangement arrangements[] {{3, wide}, {2, middle}, {1, narrow}};
-
-/// The pulse instances that the model may have (reference §2.1).
-QList<TopicRange> groupRanges(const protocol::Dialect &dialect)
-{
-    return {TopicRange(Kind::AxisNames, 1, dialect.robots), TopicRange(Kind::AxisNames, 11, 10 + dialect.bases),
-        TopicRange(Kind::AxisNames, 21, 20 + dialect.stations)};
-}
 
 } // namespace
 
@@ -99,7 +92,7 @@ QWidget *MotionPage::readiness(const Context &context)
 
 QList<TopicRange> MotionPage::topics() const
 {
-    QList<TopicRange> result = groupRanges(m_profile.dialect());
+    QList<TopicRange> result = groupTopics(m_profile.dialect());
     const quint16 instance = m_group->currentData().isValid() ? quint16(m_group->currentData().toUInt()) : quint16(1);
     result << robot::topics::status;
     const auto add = [&](Kind kind, int number) { result << TopicRange(kind, number, number); };
@@ -116,19 +109,10 @@ QList<TopicRange> MotionPage::topics() const
     return result;
 }
 
-/// The choice changes only when another group answers; one whose names are stale has answered.
+/// The choice changes only when another group answers.
 void MotionPage::showGroups()
 {
-    QList<ControlGroup> groups;
-    for (const TopicRange &range : groupRanges(m_profile.dialect())) {
-        for (quint16 number = range.first; number <= range.last; ++number) {
-            const auto freshness = m_state.freshness({Kind::AxisNames, number});
-            if (freshness == Freshness::Live || freshness == Freshness::Stale)
-                groups << ControlGroup {number};
-        }
-    }
-    if (groups.isEmpty())
-        groups << ControlGroup::robotPulse(1);
+    const auto groups = controlGroups(m_state, m_profile.dialect()).groups;
     if (groups == m_groups)
         return;
     const auto before = m_group->currentData();

@@ -4,6 +4,7 @@
 
 #include "ui/pages/axescard.h"
 #include "ui/pages/cartesiancard.h"
+#include "ui/pages/controlgroups.h"
 #include "ui/pages/toolpathcard.h"
 #include "ui/widgets/board.h"
 #include <QApplication>
@@ -15,7 +16,6 @@
 
 namespace pages {
 
-using robot::Freshness;
 using robot::Kind;
 using robot::TopicRange;
 
@@ -27,13 +27,6 @@ using widgets::Place;
 constexpr Place wide[] {{0, 0}, {0, 1}, {1, 0, 1, 2}};
 constexpr Place narrow[] {{0, 0}, {1, 0}, {2, 0}};
 constexpr widgets::Arrangement arrangements[] {{2, wide}, {1, narrow}};
-
-/// The pulse instances that the model may have (reference §2.1).
-QList<TopicRange> groupRanges(const protocol::Dialect &dialect)
-{
-    return {TopicRange(Kind::AxisNames, 1, dialect.robots), TopicRange(Kind::AxisNames, 11, 10 + dialect.bases),
-        TopicRange(Kind::AxisNames, 21, 20 + dialect.stations)};
-}
 
 QPushButton *button(const QString &name, const QString &words)
 {
@@ -97,7 +90,7 @@ QList<TopicRange> PositionPage::topics() const
 {
     const auto dialect = m_profile.dialect();
     const quint16 instance = m_group.instance;
-    QList<TopicRange> result = groupRanges(dialect);
+    QList<TopicRange> result = groupTopics(dialect);
     result << robot::topics::status;
     for (const Kind kind : {Kind::Position, Kind::FollowingError, Kind::Torque})
         result << TopicRange(kind, instance, instance);
@@ -123,26 +116,12 @@ void PositionPage::onChanged(const TopicRange &range)
         showGroups();
 }
 
-/// The tabs change only when another group answers, so that a tab bar in use stands still. A group whose names are
-/// stale has answered.
+/// The tabs change only when another group answers, so that a tab bar in use stands still.
 void PositionPage::showGroups()
 {
-    QList<values::ControlGroup> groups;
-    int refused = 0;
-    int all = 0;
-    for (const TopicRange &range : groupRanges(m_profile.dialect())) {
-        for (quint16 number = range.first; number <= range.last; ++number) {
-            const auto freshness = m_state.freshness({Kind::AxisNames, number});
-            if (freshness == Freshness::Live || freshness == Freshness::Stale)
-                groups << values::ControlGroup {number};
-            refused += freshness == Freshness::Refused;
-            ++all;
-        }
-    }
+    const auto [groups, refused, all] = controlGroups(m_state, m_profile.dialect());
     m_note->setText(
         refused == 0 ? QString() : tr("Not shown because refused: %1 of %2 control groups.").arg(refused).arg(all));
-    if (groups.isEmpty())
-        groups << values::ControlGroup::robotPulse(1);
     if (groups != m_groups) {
         m_groups = groups;
         const QSignalBlocker blocker(m_tabs);

@@ -2,19 +2,16 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/motion/movecard.h"
 
-#include "protocol/codes.h"
 #include "robot/motionorders.h"
 #include "ui/dialogs/movesheet.h"
+#include "ui/pages/motion/pointsbar.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/words.h"
-#include "values/form.h"
 #include "variables/text.h"
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLineEdit>
-#include <QMenu>
-#include <QPushButton>
 #include <QSignalBlocker>
 
 namespace pages {
@@ -30,7 +27,6 @@ using values::Result;
 namespace {
 
 constexpr int mostFrames = 63;
-constexpr int historySize = 12;
 constexpr int targetWidth = 140; ///< Pixels.
 
 QLabel *label(const QString &words) { return widgets::text(words, ui::Type::Label, ui::Role::Text2); }
@@ -40,13 +36,6 @@ template <typename Widget> Widget *named(Widget *widget, const char *name, const
     widget->setObjectName(QLatin1String(name));
     widget->setAccessibleName(title);
     return widget;
-}
-
-QPushButton *button(const char *name, const QString &words)
-{
-    auto *result = named(new QPushButton(words), name, words);
-    result->setAutoDefault(false);
-    return result;
 }
 
 QSpinBox *spin(const char *name, const QString &title, int most)
@@ -87,27 +76,24 @@ MoveCard::MoveCard(const Context &context, const Result<motion::Limits> &limits,
       m_state {context.state},
       m_profile {context.profile},
       m_limits {limits},
-      m_edits {context.orders, {}},
       m_how {named(new QComboBox, "moveType", tr("Type of the move"))},
       m_frame {named(new QComboBox, "moveFrame", tr("Frame of the target"))},
       m_tool {spin("moveTool", tr("Tool"), mostFrames)},
       m_userFrame {spin("moveUserFrame", tr("User frame"), mostFrames)},
       m_track {named(new QLineEdit, "moveTrack", tr("Base axes in mm"))},
       m_form {widgets::sentence({}, ui::Role::Text2)},
-      m_variable {spin("moveVariable", tr("P variable"), m_profile.dialect().positionVariables - 1)},
-      m_historyMenu {new QMenu(this)},
-      m_note {widgets::sentence({}, ui::Role::Text2)},
+      m_points {new PointsBar(context)},
       m_move {new widgets::OrderButton(context.orders, robot::Act::Move)}
 {
-    m_note->setObjectName(QStringLiteral("moveNote"));
     m_form->setObjectName(QStringLiteral("moveForm"));
     m_move->setText(tr("Rehearse…"));
-    for (QWidget *part : {choices(), axes(), static_cast<QWidget *>(m_form), speeds(), points(),
-             static_cast<QWidget *>(m_note), static_cast<QWidget *>(m_move)})
+    for (QWidget *part : {choices(), axes(), static_cast<QWidget *>(m_form), speeds(), static_cast<QWidget *>(m_points),
+             static_cast<QWidget *>(m_move)})
         body()->addWidget(part);
     body()->addStretch();
     connect(m_move, &widgets::OrderButton::clicked, this, &MoveCard::rehearse);
-    connect(&m_edits, &robot::Edits::applied, this, &MoveCard::onEditsApplied);
+    connect(m_points, &PointsBar::presentWanted, this, &MoveCard::fillWithPresent);
+    connect(m_points, &PointsBar::taken, this, &MoveCard::fill);
     connect(&m_state, &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
         if (range.kind != Kind::Position)
             return;
@@ -193,37 +179,14 @@ QWidget *MoveCard::speeds()
         {tr("% of joint speed, at most %1").arg(limits.jointSpeed), m_jointSpeed}}));
 }
 
-/// Where a target comes from, and where a place can be kept.
-QWidget *MoveCard::points()
-{
-    auto *present = button("moveTakePresent", tr("Take the present position"));
-    auto *take = button("moveTakeVariable", tr("Take P"));
-    auto *history = button("moveHistory", tr("Earlier places"));
-    auto *keep = button("moveKeep", tr("Keep the present position as P"));
-    history->setMenu(m_historyMenu);
-    m_variable->setPrefix(QStringLiteral("P"));
-    connect(present, &QPushButton::clicked, this, &MoveCard::fillWithPresent);
-    connect(take, &QPushButton::clicked, this, &MoveCard::takeVariable);
-    connect(keep, &QPushButton::clicked, this, &MoveCard::writeVariable);
-    connect(m_historyMenu, &QMenu::aboutToShow, this, &MoveCard::fillHistoryMenu);
-    auto *grid = new QGridLayout;
-    grid->addWidget(present, 0, 0);
-    grid->addWidget(history, 0, 1);
-    grid->addWidget(m_variable, 0, 2);
-    grid->addWidget(take, 0, 3);
-    grid->addWidget(keep, 1, 0, 1, 4);
-    return holding(grid);
-}
-
 PositionType MoveCard::frame() const { return PositionType(m_frame->currentData().toUInt()); }
 Wish::How MoveCard::how() const { return Wish::How(m_how->currentIndex()); }
 
 /// As it is read now, in what the target is told in.
 std::optional<Position> MoveCard::here() const
 {
-    const auto present = robot::presentOf(m_state, m_group);
-    const bool isTrack = m_group.instance > 10 && m_group.instance <= 20;
-    return frame() != PositionType::Pulse ? present.base : isTrack ? present.track : present.pulse;
+    const auto group = frame() == PositionType::Pulse ? m_group : ControlGroup::robotCartesian(m_group.instance);
+    return robot::presentOf(m_state, m_group).at(group);
 }
 
 int MoveCard::axisCount() const
@@ -247,6 +210,7 @@ void MoveCard::setGroup(ControlGroup group)
 
 void MoveCard::onKindChanged()
 {
+    m_points->setFrame(frame(), how() != Wish::How::Increment);
     m_userFrame->setEnabled(frame() == PositionType::User);
     m_track->setEnabled(robot::presentOf(m_state, m_group).hasTrack && frame() != PositionType::Pulse);
     for (int axis = 0; axis < values::maxAxes; ++axis) {
@@ -283,73 +247,6 @@ void MoveCard::fill(const Position &position)
         m_rows[axis].target->setText(variables::axisText(word, values::axisUnit(frame(), axis), QLocale()));
     }
     showRows();
-}
-
-void MoveCard::takeVariable()
-{
-    const variables::Reference variable {variables::Kind::P, m_variable->value()};
-    const protocol::ReadItem<values::PositionVariable> request {
-        protocol::variableInstance(variable.number, m_profile.numbering)};
-    m_note->setText(tr("%1 is being read…").arg(toString(variable)));
-    m_orders.read(request, this, [this, variable](const Result<values::PositionVariable> &read) {
-        const QString name = toString(variable);
-        if (!read) {
-            m_note->setText(tr("%1 could not be read: %2.").arg(name, protocol::explain(read.error())));
-        } else if (read->position.type != frame() || how() == Wish::How::Increment) {
-            m_note->setText(tr("%1 is in another frame (%2): choose that frame and an absolute move to take it.")
-                                .arg(name, values::toString(read->position.type)));
-        } else {
-            m_note->setText(tr("The target is %1.").arg(name));
-            fill(read->position);
-        }
-    });
-}
-
-/// Written once and read back, as on the Variables page.
-void MoveCard::writeVariable()
-{
-    const auto position = here();
-    if (!position || m_group.instance > 8) {
-        m_note->setText(tr("Only the present position of a robot can be kept, once it was read."));
-        return;
-    }
-    m_edits.clear();
-    m_edits.stage({variables::Kind::P, m_variable->value()}, variables::valueWith(variables::Kind::P, *position));
-    m_edits.apply();
-}
-
-void MoveCard::onEditsApplied()
-{
-    const auto edits = m_edits.staged().edits();
-    const QString name = toString(variables::Reference {variables::Kind::P, m_variable->value()});
-    if (edits.isEmpty())
-        m_note->setText(tr("%1 was written and read back.").arg(name));
-    else if (edits.first().error)
-        m_note->setText(tr("%1 was not verified: %2.").arg(name, protocol::explain(*edits.first().error)));
-    else
-        m_note->setText(tr("%1 was written, but another value was read back.").arg(name));
-    m_edits.clear();
-}
-
-void MoveCard::remember(const Position &position)
-{
-    m_history.prepend({QDateTime::currentDateTime(), position});
-    if (m_history.size() > historySize)
-        m_history.removeLast();
-}
-
-void MoveCard::fillHistoryMenu()
-{
-    m_historyMenu->clear();
-    for (const Remembered &one : m_history) {
-        if (one.position.type != frame())
-            continue;
-        const QString words = QStringLiteral("%1  %2").arg(
-            QLocale().toString(one.at.time(), QStringLiteral("HH:mm:ss")), robot::toText(one.position));
-        connect(m_historyMenu->addAction(words), &QAction::triggered, this, [this, one] { fill(one.position); });
-    }
-    if (m_historyMenu->isEmpty())
-        m_historyMenu->addAction(tr("No move has begun in this frame yet"))->setEnabled(false);
 }
 
 Result<AxisWords> MoveCard::typed() const
@@ -405,6 +302,7 @@ void MoveCard::showRows()
 {
     const auto position = here();
     const int count = axisCount();
+    m_points->setKept(m_group.instance <= 8 ? position : std::nullopt);
     for (int axis = 0; axis < values::maxAxes; ++axis) {
         const Row &row = m_rows[axis];
         const auto unit = values::axisUnit(frame(), axis);
@@ -439,7 +337,7 @@ void MoveCard::rehearse()
         return judge();
     const auto present = robot::presentOf(m_state, m_group);
     if (const auto position = here())
-        remember(*position);
+        m_points->remember(*position);
     (new dialogs::MoveSheet(m_orders, *made, present, *m_limits, this))->show();
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "motion/plan.h"
-#include "robot/edits.h"
+#include "robot/orders.h"
 #include "ui/pages/page.h"
 #include "ui/widgets/card.h"
 
@@ -11,8 +11,6 @@ class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLineEdit;
-class QMenu;
-class QPushButton;
 class QSpinBox;
 
 namespace widgets {
@@ -20,6 +18,8 @@ class OrderButton;
 }
 
 namespace pages {
+
+class PointsBar;
 
 /// A move to a position: where it stands, where it shall be, and the way between, axis by axis. The move itself is
 /// ordered from the sheet that rehearses it.
@@ -45,18 +45,12 @@ private:
     [[nodiscard]] QWidget *choices();
     [[nodiscard]] QWidget *axes();
     [[nodiscard]] QWidget *speeds();
-    [[nodiscard]] QWidget *points();
     [[nodiscard]] QDoubleSpinBox *speed(const char *name, const QString &title, double most, double usual);
     void addRow(QGridLayout *grid, int axis);
 
     void onKindChanged();
     void fillWithPresent();
     void fill(const values::Position &position);
-    void takeVariable();
-    void writeVariable();
-    void onEditsApplied();
-    void remember(const values::Position &position);
-    void fillHistoryMenu();
 
     void showRows();
     void judge();
@@ -74,7 +68,6 @@ private:
     const robot::RobotState &m_state;
     const settings::Profile &m_profile;
     values::Result<motion::Limits> m_limits;
-    robot::Edits m_edits;
     values::ControlGroup m_group = values::ControlGroup::robotPulse(1);
     QComboBox *m_how;
     QComboBox *m_frame;
@@ -86,16 +79,9 @@ private:
     QDoubleSpinBox *m_toolSpeed = nullptr;
     QDoubleSpinBox *m_rotationSpeed = nullptr;
     QDoubleSpinBox *m_jointSpeed = nullptr;
-    QSpinBox *m_variable;
-    QMenu *m_historyMenu;
-    QLabel *m_note; ///< What came of taking or keeping a position.
+    PointsBar *m_points;
     widgets::OrderButton *m_move;
     values::Position m_taken; ///< The form that goes with the target.
-    struct Remembered {
-        QDateTime at;
-        values::Position position;
-    };
-    QList<Remembered> m_history; ///< The newest first.
 };
 
 } // namespace pages

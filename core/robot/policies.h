@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#pragma once
+
+#include "session/transfer.h"
+#include "session/policy.h"
+#include "settings/profile.h"
+
+namespace robot {
+
+/// How long and how often the sessions of a controller ask, as its profile says.
+[[nodiscard]] inline session::Policy policyOf(const settings::Profile &profile)
+{
+    session::Policy policy;
+    policy.timeout = profile.readTimeout;
+    policy.repeats = profile.readRepeats;
+    policy.servoTimeout = profile.servoTimeout;
+    policy.window = profile.window;
+    policy.requestsPerSecond = profile.requestsPerSecond;
+    return policy;
+}
+
+[[nodiscard]] inline session::FilePolicy filePolicyOf(const settings::Profile &profile)
+{
+    session::FilePolicy policy;
+    policy.timeout = profile.fileTimeout;
+    return policy;
+}
+
+} // namespace robot
