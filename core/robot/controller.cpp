@@ -54,7 +54,7 @@ Controller::Controller(settings::Profile profile, QObject *parent)
     connect(&m_watch, &QTimer::timeout, this, [this, last = Time {}]() mutable {
         const Time at = now();
         if (const auto pause = at - std::exchange(last, at); pause > standstill)
-            m_lastStatus += pause; // the controller was not asked: its silence says nothing
+            m_lastStatus = std::min(m_lastStatus + pause, at); // not asked meanwhile: silence says nothing
         watch();
     });
     connect(&m_statisticsTimer, &QTimer::timeout, this, &Controller::statisticsChanged);

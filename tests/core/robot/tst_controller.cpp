@@ -142,6 +142,21 @@ private Q_SLOTS:
         QCOMPARE(controller.timesLost(), 0);
     }
 
+    /// Before the link was looked at for the first time there was no standstill that could excuse it.
+    void aLinkThatDiesAtOnceIsLost()
+    {
+        auto server = std::make_unique<Server>(onAnyPort());
+        QVERIFY(server->start());
+        Controller controller {profileOf(server->port())};
+        connect(&controller, &Controller::linkStateChanged, this, [&] {
+            if (controller.linkState() == LinkState::Monitoring)
+                server->setFaults(*virtualcontroller::Faults::parse(u"any reply lose"));
+        });
+        controller.open();
+        QTRY_COMPARE(controller.linkState(), LinkState::Lost);
+        QCOMPARE(controller.timesLost(), 1);
+    }
+
     void aStandstillOfOursIsNoLostLink()
     {
         Server server {onAnyPort()};
