@@ -18,6 +18,7 @@ enum class ActionId {
     Demo,
     Diagnose,
     CopyDiagnosis,
+    Appearance,
     Shortcuts,
     About,
     Quit
@@ -46,6 +47,8 @@ public:
     /// The shortcuts work in `window`; HOLD's are HoldKey's business.
     explicit Actions(QWidget *window);
 
+    /// Writes the words anew, in the language that is spoken now.
+    void translate();
     [[nodiscard]] QAction *action(ActionId id) const { return m_actions.value(id); }
 
 Q_SIGNALS:

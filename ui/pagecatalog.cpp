@@ -25,7 +25,7 @@ template <typename Page> pages::Page *create(const pages::Context &context, QWid
     return new Page(context, parent);
 }
 
-constexpr PageRow rows[] {
+constexpr PageRow pageRows[] {
     {"overview", QT_TRANSLATE_NOOP("Pages", "Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>},
     {"alarms", QT_TRANSLATE_NOOP("Pages", "Alarms"), "alarms", "Ctrl+2", create<pages::AlarmsPage>},
     {"io", QT_TRANSLATE_NOOP("Pages", "I/O"), "io", "Ctrl+3", create<pages::IoPage>},
@@ -42,7 +42,7 @@ constexpr PageRow rows[] {
 
 } // namespace
 
-std::span<const PageRow> pageCatalog() { return rows; }
+std::span<const PageRow> pageCatalog() { return pageRows; }
 
 QString title(const PageRow &row) { return QCoreApplication::translate("Pages", row.title); }
 
