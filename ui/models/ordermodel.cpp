@@ -37,7 +37,7 @@ const ColumnRow table[] {
 };
 static_assert(std::size(table) == OrderModel::columns);
 
-int alignment(int column)
+int orderAlignment(int column)
 {
     return int((column == OrderModel::Duration ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
 }
@@ -75,7 +75,7 @@ QVariant OrderModel::headerData(int section, Qt::Orientation orientation, int ro
         return {};
     if (role == Qt::DisplayRole)
         return tr(table[section].title);
-    return role == Qt::TextAlignmentRole ? QVariant(alignment(section)) : QVariant();
+    return role == Qt::TextAlignmentRole ? QVariant(orderAlignment(section)) : QVariant();
 }
 
 QVariant OrderModel::data(const QModelIndex &index, int role) const
@@ -85,7 +85,7 @@ QVariant OrderModel::data(const QModelIndex &index, int role) const
     switch (role) {
     case Qt::DisplayRole:
     case Qt::ToolTipRole: return table[column].text(order);
-    case Qt::TextAlignmentRole: return alignment(column);
+    case Qt::TextAlignmentRole: return orderAlignment(column);
     case SortRole: return sortKey(order, column);
     case widgets::BoldRole: return column == Outcome && order.outcome != journal::Outcome::Done;
     case widgets::InkRole: return column == Outcome ? QVariant(int(ui::roleOf(order.outcome))) : QVariant();

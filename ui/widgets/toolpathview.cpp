@@ -15,7 +15,7 @@ using trend::PathPoint;
 namespace {
 
 constexpr qreal leastSpan = 10; ///< Millimetres in the shorter direction, so that a standing robot is no microscope.
-constexpr qreal mark = 9;
+constexpr qreal markSide = 9;
 
 struct Axes {
     std::size_t right;
@@ -84,7 +84,7 @@ void ToolPathView::describe()
             .trimmed());
 }
 
-QRectF ToolPathView::plot() const { return QRectF(rect()).adjusted(mark, 22, -mark, -24); }
+QRectF ToolPathView::plot() const { return QRectF(rect()).adjusted(markSide, 22, -markSide, -24); }
 
 QPointF ToolPathView::millimetres(const PathPoint &point) const
 {
@@ -178,11 +178,11 @@ void ToolPathView::paintMarks(QPainter &painter) const
     painter.setPen(QPen(ink, 1.5));
     painter.setBrush(ui::color(ui::Role::Card, this));
     const QPointF start = placeOf(m_path->points().front());
-    painter.drawRect(QRectF(start.x() - mark / 2, start.y() - mark / 2, mark, mark));
+    painter.drawRect(QRectF(start.x() - markSide / 2, start.y() - markSide / 2, markSide, markSide));
     const QPointF now = placeOf(m_path->points().back());
-    painter.drawEllipse(now, mark / 2 + 1.5, mark / 2 + 1.5);
+    painter.drawEllipse(now, markSide / 2 + 1.5, markSide / 2 + 1.5);
     painter.setBrush(ink);
-    painter.drawEllipse(now, mark / 4, mark / 4);
+    painter.drawEllipse(now, markSide / 4, markSide / 4);
 }
 
 /// A bar of a round length at the lower left.
