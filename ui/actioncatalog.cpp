@@ -23,7 +23,8 @@ constexpr ActionRow rows[] {
     {ActionId::Diagnose, "diagnoseAction", QT_TRANSLATE_NOOP("Actions", "Diagnose…"), "Ctrl+D", "diagnose"},
     {ActionId::CopyDiagnosis, "copyDiagnosisAction", QT_TRANSLATE_NOOP("Actions", "Copy diagnosis"), "Ctrl+Shift+C",
         "copy"},
-    {ActionId::Shortcuts, "shortcutsAction", QT_TRANSLATE_NOOP("Actions", "Keyboard shortcuts"), "F1", ""},
+    {ActionId::Readiness, "readinessAction", QT_TRANSLATE_NOOP("Actions", "Readiness…"), "Ctrl+Shift+R", ""},
+    {ActionId::Help, "helpAction", QT_TRANSLATE_NOOP("Actions", "Help and shortcuts"), "F1", ""},
     {ActionId::About, "aboutAction", QT_TRANSLATE_NOOP("Actions", "About Pendesk"), "", ""},
     {ActionId::Quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "Quit"), "Ctrl+Q", ""},
 };

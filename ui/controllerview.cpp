@@ -6,10 +6,13 @@
 #include "ui/armbadge.h"
 #include "ui/backupage.h"
 #include "ui/conditionwords.h"
+#include "ui/dialogs/readinesssheet.h"
+#include "ui/firstcontact.h"
 #include "ui/navigationrail.h"
 #include "ui/pagecatalog.h"
 #include "ui/pagewindow.h"
 #include "ui/robotstrip.h"
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QStackedWidget>
 
@@ -33,6 +36,7 @@ QList<robot::TopicRange> alwaysRead()
 ControllerView::ControllerView(const settings::Profile &profile, settings::ProfileStore &store, Authority authority,
     const Actions &actions, QWidget *parent)
     : QWidget(parent),
+      m_store {store},
       m_controller {profile},
       m_orders {m_controller, authority.access, authority.arming},
       m_names {profile, store.notes(profile.name)},
@@ -66,6 +70,8 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
         if (m_barAction)
             actions.action(*m_barAction)->trigger();
     });
+    const auto *contact = new FirstContact(m_controller, store, this);
+    connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
     follow();
     followJournal();
     openPage(0);
@@ -140,6 +146,8 @@ void ControllerView::openPage(int row)
         m_stack->setCurrentWidget(m_pages[row]);
     }
     m_rail->showPage(row);
+    m_pageInView = row;
+    Q_EMIT pageOpened(row);
 }
 
 PageWindow *ControllerView::windowOf(const pages::Page *page) const
@@ -208,6 +216,27 @@ void ControllerView::hold()
         show(holdWithoutLink());
     else
         m_controller.hold();
+}
+
+void ControllerView::showReadiness() { openReadiness(true); }
+
+/// Under the strip, so that HOLD stays in sight. Unasked it takes no focus from whatever the person is at.
+void ControllerView::openReadiness(bool isAsked)
+{
+    auto *sheet = findChild<dialogs::ReadinessSheet *>();
+    if (!sheet) {
+        sheet = new dialogs::ReadinessSheet(m_orders, m_numbering, m_store, this);
+        sheet->setAttribute(Qt::WA_ShowWithoutActivating, !isAsked);
+        const int room = height() - space::strip - 2 * space::page;
+        sheet->resize(sheet->width(), std::min(sheet->height(), room));
+        sheet->move(mapToGlobal(QPoint((width() - sheet->width()) / 2, space::strip + space::page)));
+    }
+    QWidget *inFront = isAsked ? sheet : QApplication::activeWindow();
+    sheet->show();
+    if (isAsked)
+        sheet->raise();
+    if (inFront)
+        inFront->activateWindow(); // not every desktop heeds the attribute
 }
 
 void ControllerView::show(const Notice &notice)

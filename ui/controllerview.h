@@ -54,6 +54,8 @@ public:
     [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
     /// Brings the page in view, in its own window if it has one.
     void openPage(int row);
+    /// Row of the page that was opened last.
+    [[nodiscard]] int pageInView() const { return m_pageInView; }
     /// Gives the page a window of its own, beside this one; closing it brings the page back. Pages are told by the
     /// catalogue's ids.
     void openInWindow(const QString &id);
@@ -61,6 +63,8 @@ public:
     void openInWindow();
     /// The pages that have windows.
     [[nodiscard]] QStringList pagesInWindows() const;
+    /// What this controller allows now.
+    void showReadiness();
     /// Orders HOLD at once, or says why it cannot be ordered.
     void hold();
     /// Orders HLOCK off, or says why it cannot be ordered.
@@ -72,6 +76,7 @@ public:
 Q_SIGNALS:
     /// The person opened or closed a window.
     void pagesInWindowsChanged();
+    void pageOpened(int row);
 
 private:
     [[nodiscard]] RobotStrip *makeStrip();
@@ -87,7 +92,9 @@ private:
     void showLink();
     void showLock();
     void followJournal();
+    void openReadiness(bool isAsked);
 
+    settings::ProfileStore &m_store;
     robot::Controller m_controller;
     robot::Orders m_orders;
     robot::NameBook m_names;
@@ -100,6 +107,7 @@ private:
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
     widgets::MessageBar *m_journalBar; ///< On every page while the journal fails.
     QStackedWidget *m_stack;
+    int m_pageInView = 0;
     QList<pages::Page *> m_pages; ///< In the order of the page catalogue.
     robot::Poller::Interest m_stripInterest;
     QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.

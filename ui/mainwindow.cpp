@@ -7,7 +7,7 @@
 #include "ui/conditionwords.h"
 #include "ui/dialogs/connectiondialog.h"
 #include "ui/dialogs/diagnosisdialog.h"
-#include "ui/dialogs/shortcutsdialog.h"
+#include "ui/dialogs/helpdialog.h"
 #include "ui/holdkey.h"
 #include "ui/icons.h"
 #include "ui/widgets/text.h"
@@ -34,6 +34,10 @@ MainWindow::MainWindow(settings::ProfileStore &store, Authority authority, Start
     resize(1440, 900);
     makeStatusBar();
     connect(m_actions, &Actions::triggered, this, &MainWindow::run);
+    connect(m_actions, &Actions::profileChosen, this, [this](const QString &name) {
+        if (const auto profile = m_store.find(name))
+            connectTo(*profile);
+    });
     connect(new HoldKey(this), &HoldKey::pressed, this, [this] { run(ActionId::Hold); });
     offer({});
 }
@@ -106,6 +110,8 @@ void MainWindow::offer(const settings::Profile &profile)
     setCentralWidget(m_view);
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
+    connect(m_view, &ControllerView::pageOpened, this, &MainWindow::showHelpOf);
+    showHelpOf(m_view->pageInView());
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));
     if (!profile.host.isEmpty())
@@ -151,7 +157,8 @@ void MainWindow::run(ActionId id)
     case ActionId::Demo: return openDemo();
     case ActionId::Diagnose: return openDiagnosis();
     case ActionId::CopyDiagnosis: return copyDiagnosis();
-    case ActionId::Shortcuts: return (new dialogs::ShortcutsDialog(this))->show();
+    case ActionId::Readiness: return m_view->showReadiness();
+    case ActionId::Help: return openHelp();
     case ActionId::About: return showAbout();
     case ActionId::Quit: close();
     }
@@ -168,6 +175,23 @@ void MainWindow::openConnectionDialog()
 }
 
 void MainWindow::openDiagnosis() { (new dialogs::DiagnosisDialog(controller().profile(), this))->show(); }
+
+void MainWindow::openHelp()
+{
+    auto *help = findChild<dialogs::HelpDialog *>();
+    if (!help)
+        help = new dialogs::HelpDialog(m_view->pageInView(), this);
+    help->show();
+    help->raise();
+    help->activateWindow();
+}
+
+/// While the help is open it follows the page.
+void MainWindow::showHelpOf(int page)
+{
+    if (auto *help = findChild<dialogs::HelpDialog *>())
+        help->showPage(page);
+}
 
 void MainWindow::copyDiagnosis()
 {
@@ -200,7 +224,7 @@ void MainWindow::onLinkStateChanged()
     allow(ActionId::Disconnect, state != LinkState::Disconnected, tr("There is no connection."));
     allow(ActionId::Reconnect, hasHost && state == LinkState::Disconnected,
         hasHost ? tr("The connection is open.") : tr("No controller is chosen."));
-    for (const ActionId id : {ActionId::Diagnose, ActionId::CopyDiagnosis})
+    for (const ActionId id : {ActionId::Diagnose, ActionId::CopyDiagnosis, ActionId::Readiness})
         allow(id, hasHost, tr("No controller is chosen: connect first."));
     if (state == LinkState::Disconnected)
         m_requests->clear();
