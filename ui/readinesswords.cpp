@@ -141,9 +141,11 @@ QString listed(const QList<Condition> &conditions, QString (*toText)(Condition))
     return words.join(QStringLiteral(" · "));
 }
 
-/// The one that a person should see to first. REMOTE has a row of its own.
+/// The one that a person should see to first. REMOTE has a row of its own; in TEACH somebody else has the robot.
 std::optional<Condition> foremost(const ReadinessRow &row)
 {
+    if (row.obstacles.contains(Condition::NotTeach))
+        return Condition::NotTeach;
     for (const Condition condition : row.obstacles) {
         if (condition != Condition::Remote || row.subject == Subject::Remote)
             return condition;

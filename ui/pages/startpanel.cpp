@@ -192,11 +192,12 @@ void StartPanel::addRecent(QVBoxLayout *column)
     column->addLayout(row);
 }
 
-/// Enter: the button with the focus if it is one of these, else the filled one.
+/// Enter: the button with the focus, wherever it is, else the filled one. The entry of the page in view, which has the
+/// focus in the beginning, would do nothing.
 void StartPanel::press()
 {
-    auto *focused = qobject_cast<QPushButton *>(window()->focusWidget());
-    QPushButton *button = focused && isAncestorOf(focused) ? focused : m_primary;
+    auto *focused = qobject_cast<QAbstractButton *>(window()->focusWidget());
+    QAbstractButton *button = focused && !focused->isChecked() ? focused : m_primary;
     if (button)
         button->click();
 }

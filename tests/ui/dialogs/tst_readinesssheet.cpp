@@ -3,6 +3,7 @@
 #include "ui/harness.h"
 
 #include "ui/dialogs/readinesssheet.h"
+#include "ui/readinesswords.h"
 #include <QClipboard>
 #include <QDir>
 #include <QMessageBox>
@@ -93,6 +94,7 @@ private Q_SLOTS:
     void copies();
     void numberingTestAndResult();
     void everyRowSpeaks();
+    void everyRowSpeaksWithoutAnything();
 };
 
 void TestReadinessSheet::opensByItselfOnce()
@@ -183,6 +185,7 @@ void TestReadinessSheet::followsTheState()
     QTRY_COMPARE(desk.verdict("remote"), QStringLiteral("not allowed, measured"));
     QVERIFY(desk.label("remote", "Remedy").contains(QStringLiteral("CMD REMOTE SEL")));
     QCOMPARE(desk.verdict("job-start"), QStringLiteral("not allowed, measured"));
+    QVERIFY(desk.label("job-start", "Remedy").contains(QStringLiteral("the person at the pendant has the robot")));
     QCOMPARE(desk.verdict("job-select"), QStringLiteral("not allowed, measured"));
     QCOMPARE(desk.verdict("servo"), QStringLiteral("not allowed, measured"));
     QCOMPARE(desk.verdict("reading"), QStringLiteral("allowed, measured"));
@@ -309,6 +312,22 @@ void TestReadinessSheet::everyRowSpeaks()
         QVERIFY2(!desk.allowance(subject)->accessibleName().isEmpty(), subject);
         QVERIFY2(!desk.label(subject, "Sentence").isEmpty(), subject);
         QVERIFY2(desk.allowance(subject)->shown().word.lamp != widgets::Lamp::None, subject);
+    }
+}
+
+/// Whatever is known or not, a row has a sentence.
+void TestReadinessSheet::everyRowSpeaksWithoutAnything()
+{
+    using namespace robot;
+    for (const LinkState link :
+        {LinkState::Disconnected, LinkState::Checking, LinkState::Monitoring, LinkState::Lost}) {
+        ReadinessFacts facts;
+        facts.link = link;
+        for (const ReadinessRow &row : readiness(facts)) {
+            QVERIFY2(!ui::sentence(row, facts).isEmpty(), key(row.subject));
+            QVERIFY2(!ui::title(row.subject).isEmpty(), key(row.subject));
+        }
+        QVERIFY(ui::toText(readiness(facts), facts).count(u'\n') > subjectCount);
     }
 }
 

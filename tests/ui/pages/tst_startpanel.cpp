@@ -73,6 +73,7 @@ private Q_SLOTS:
     void recentControllersNewestFirst();
     void atMostFive();
     void enterConnects();
+    void enterOnAnotherButton();
     void anotherOneByClick();
     void lastConnectionIsKept();
     void theDemoLeavesNoTrace();
@@ -171,6 +172,20 @@ void TestStartPanel::enterConnects()
     QTRY_VERIFY(harness.isAllLive());
     QTest::keyClick(&harness.window, Qt::Key_Return); // and does nothing else
     QVERIFY(harness.window.controller().linkState() == LinkState::Monitoring);
+}
+
+/// It presses what has the focus.
+void TestStartPanel::enterOnAnotherButton()
+{
+    Harness harness;
+    harness.window.offer(named("ELSEWHERE", "192.0.2.1"));
+    harness.window.show();
+    harness.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&harness.window));
+    harness.window.findChild<QPushButton *>(QStringLiteral("diagnoseActionEntry"))->setFocus();
+    QTest::keyClick(&harness.window, Qt::Key_Return);
+    QTRY_VERIFY(harness.window.findChild<QDialog *>(QStringLiteral("diagnosisDialog")));
+    QVERIFY(harness.window.controller().linkState() == LinkState::Disconnected);
 }
 
 void TestStartPanel::anotherOneByClick()
