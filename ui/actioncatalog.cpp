@@ -25,7 +25,8 @@ constexpr ActionRow actionRows[] {
         "copy"},
     {ActionId::Appearance, "appearanceAction", QT_TRANSLATE_NOOP("Actions", "Language and look…"), "Ctrl+,",
         "settings"},
-    {ActionId::Shortcuts, "shortcutsAction", QT_TRANSLATE_NOOP("Actions", "Keyboard shortcuts"), "F1", ""},
+    {ActionId::Readiness, "readinessAction", QT_TRANSLATE_NOOP("Actions", "Readiness…"), "Ctrl+Shift+R", ""},
+    {ActionId::Help, "helpAction", QT_TRANSLATE_NOOP("Actions", "Help and shortcuts"), "F1", ""},
     {ActionId::About, "aboutAction", QT_TRANSLATE_NOOP("Actions", "About Pendesk"), "", ""},
     {ActionId::Quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "Quit"), "Ctrl+Q", ""},
 };

@@ -19,7 +19,8 @@ enum class ActionId {
     Diagnose,
     CopyDiagnosis,
     Appearance,
-    Shortcuts,
+    Readiness,
+    Help,
     About,
     Quit
 };
@@ -53,6 +54,8 @@ public:
 
 Q_SIGNALS:
     void triggered(ui::ActionId id);
+    /// On a page somebody chose to connect to a controller that the store knows; the page sends it.
+    void profileChosen(const QString &name) const;
 
 private:
     QHash<ActionId, QAction *> m_actions;

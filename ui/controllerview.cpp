@@ -6,10 +6,13 @@
 #include "ui/armbadge.h"
 #include "ui/backupage.h"
 #include "ui/conditionwords.h"
+#include "ui/dialogs/readinesssheet.h"
+#include "ui/firstcontact.h"
 #include "ui/navigationrail.h"
 #include "ui/pagecatalog.h"
 #include "ui/pagewindow.h"
 #include "ui/robotstrip.h"
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QStackedWidget>
 
@@ -63,6 +66,8 @@ ControllerView::ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStor
         if (m_barAction)
             m_actions.action(*m_barAction)->trigger();
     });
+    const auto *contact = new FirstContact(controller(), m_store, this);
+    connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
     follow();
     followJournal();
     openPage(0);
@@ -170,6 +175,8 @@ void ControllerView::openPage(int row)
         m_stack->setCurrentWidget(page(row));
     }
     m_rail->showPage(row);
+    m_pageInView = row;
+    Q_EMIT pageOpened(row);
 }
 
 PageWindow *ControllerView::windowOf(const pages::Page *page) const
@@ -248,6 +255,27 @@ void ControllerView::hold()
         show(holdWithoutLink());
     else
         controller().hold();
+}
+
+void ControllerView::showReadiness() { openReadiness(true); }
+
+/// Under the strip, so that HOLD stays in sight. Unasked it takes no focus from whatever the person is at.
+void ControllerView::openReadiness(bool isAsked)
+{
+    auto *sheet = findChild<dialogs::ReadinessSheet *>();
+    if (!sheet) {
+        sheet = new dialogs::ReadinessSheet(orders(), m_desk->numbering, m_store, this);
+        sheet->setAttribute(Qt::WA_ShowWithoutActivating, !isAsked);
+        const int room = height() - space::strip - 2 * space::page;
+        sheet->resize(sheet->width(), std::min(sheet->height(), room));
+        sheet->move(mapToGlobal(QPoint((width() - sheet->width()) / 2, space::strip + space::page)));
+    }
+    QWidget *inFront = isAsked ? sheet : QApplication::activeWindow();
+    sheet->show();
+    if (isAsked)
+        sheet->raise();
+    if (inFront)
+        inFront->activateWindow(); // not every desktop heeds the attribute
 }
 
 void ControllerView::show(const Notice &notice)

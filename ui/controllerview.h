@@ -50,6 +50,8 @@ public:
     [[nodiscard]] QStringList unfinished() const;
     /// Brings the page in view, in its own window if it has one.
     void openPage(int row);
+    /// Row of the page that was opened last.
+    [[nodiscard]] int pageInView() const { return m_pageInView; }
     /// Gives the page a window of its own, beside this one; closing it brings the page back. Pages are told by the
     /// catalogue's ids.
     void openInWindow(const QString &id);
@@ -57,6 +59,8 @@ public:
     void openInWindow();
     /// The pages that have windows.
     [[nodiscard]] QStringList pagesInWindows() const;
+    /// What this controller allows now.
+    void showReadiness();
     /// Orders HOLD at once, or says why it cannot be ordered.
     void hold();
     /// Orders HLOCK off, or says why it cannot be ordered.
@@ -68,6 +72,7 @@ public:
 Q_SIGNALS:
     /// The person opened or closed a window.
     void pagesInWindowsChanged();
+    void pageOpened(int row);
 
 private:
     [[nodiscard]] RobotStrip *makeStrip();
@@ -85,6 +90,7 @@ private:
     void showLink();
     void showLock();
     void followJournal();
+    void openReadiness(bool isAsked);
 
     std::shared_ptr<Desk> m_desk;
     settings::ProfileStore &m_store;
@@ -95,6 +101,7 @@ private:
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
     widgets::MessageBar *m_journalBar; ///< On every page while the journal fails.
     QStackedWidget *m_stack;
+    int m_pageInView = 0;
     QList<pages::Page *> m_pages; ///< In the order of the page catalogue; nullptr until it is opened.
     robot::Poller::Interest m_stripInterest;
     QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.

@@ -9,7 +9,7 @@
 #include "ui/dialogs/appearancedialog.h"
 #include "ui/dialogs/connectiondialog.h"
 #include "ui/dialogs/diagnosisdialog.h"
-#include "ui/dialogs/shortcutsdialog.h"
+#include "ui/dialogs/helpdialog.h"
 #include "ui/holdkey.h"
 #include "ui/icons.h"
 #include "ui/widgets/text.h"
@@ -36,6 +36,10 @@ MainWindow::MainWindow(settings::ProfileStore &store, Authority authority, Start
     resize(1440, 900);
     makeStatusBar();
     connect(m_actions, &Actions::triggered, this, &MainWindow::run);
+    connect(m_actions, &Actions::profileChosen, this, [this](const QString &name) {
+        if (const auto profile = m_store.find(name))
+            connectTo(*profile);
+    });
     connect(new HoldKey(this), &HoldKey::pressed, this, [this] { run(ActionId::Hold); });
     offer({});
 }
@@ -127,6 +131,8 @@ void MainWindow::show(std::shared_ptr<Desk> desk)
     setCentralWidget(m_view);
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
+    connect(m_view, &ControllerView::pageOpened, this, &MainWindow::showHelpOf);
+    showHelpOf(m_view->pageInView());
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
     const settings::Profile &profile = controller().profile();
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));
@@ -214,7 +220,8 @@ void MainWindow::run(ActionId id)
     case ActionId::Diagnose: return openDiagnosis();
     case ActionId::CopyDiagnosis: return copyDiagnosis();
     case ActionId::Appearance: return openAppearance();
-    case ActionId::Shortcuts: return (new dialogs::ShortcutsDialog(this))->show();
+    case ActionId::Readiness: return m_view->showReadiness();
+    case ActionId::Help: return openHelp();
     case ActionId::About: return showAbout();
     case ActionId::Quit: close();
     }
@@ -231,6 +238,23 @@ void MainWindow::openConnectionDialog()
 }
 
 void MainWindow::openDiagnosis() { (new dialogs::DiagnosisDialog(controller().profile(), this))->show(); }
+
+void MainWindow::openHelp()
+{
+    auto *help = findChild<dialogs::HelpDialog *>();
+    if (!help)
+        help = new dialogs::HelpDialog(m_view->pageInView(), this);
+    help->show();
+    help->raise();
+    help->activateWindow();
+}
+
+/// While the help is open it follows the page.
+void MainWindow::showHelpOf(int page)
+{
+    if (auto *help = findChild<dialogs::HelpDialog *>())
+        help->showPage(page);
+}
 
 void MainWindow::copyDiagnosis()
 {
@@ -282,7 +306,7 @@ void MainWindow::onLinkStateChanged()
     allow(ActionId::Disconnect, state != LinkState::Disconnected, tr("There is no connection."));
     allow(ActionId::Reconnect, hasHost && state == LinkState::Disconnected,
         hasHost ? tr("The connection is open.") : tr("No controller is chosen."));
-    for (const ActionId id : {ActionId::Diagnose, ActionId::CopyDiagnosis})
+    for (const ActionId id : {ActionId::Diagnose, ActionId::CopyDiagnosis, ActionId::Readiness})
         allow(id, hasHost, tr("No controller is chosen: connect first."));
     if (state == LinkState::Disconnected)
         m_requests->clear();

@@ -60,6 +60,8 @@ private:
     void offerRelease();
     void openConnectionDialog();
     void openDiagnosis();
+    void openHelp();
+    void showHelpOf(int page);
     void copyDiagnosis();
     void showAbout();
     void makeStatusBar();

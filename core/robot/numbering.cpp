@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/numbering.h"
 
+#include "settings/profilestore.h"
+
 namespace robot {
 
 using values::ByteVariable;
@@ -59,6 +61,19 @@ void NumberingGuard::update()
 {
     const Controller &controller = m_orders.controller();
     m_orders.setNumberingVerified(isNumberingKnown(controller.profile(), controller.state().systemInformation().value));
+}
+
+void NumberingGuard::keep(protocol::Numbering numbering, settings::ProfileStore &store)
+{
+    Controller &controller = m_orders.controller();
+    const auto &system = controller.state().systemInformation();
+    if (!system.value)
+        return;
+    const QString software = QString::fromLatin1(system.value->software.bytes());
+    controller.setNumbering(numbering, QDateTime::currentDateTimeUtc(), software);
+    if (store.find(controller.profile().name))
+        store.save(controller.profile());
+    update();
 }
 
 } // namespace robot

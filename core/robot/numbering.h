@@ -4,6 +4,10 @@
 
 #include "robot/orders.h"
 
+namespace settings {
+class ProfileStore;
+}
+
 namespace robot {
 
 /// A variable's value as the person reads it on the pendant.
@@ -44,6 +48,9 @@ public:
 
     /// Looks again: the profile says something else now.
     void update();
+    /// The person compared it with the pendant: the result is kept, in the store too if it knows the profile. Nothing
+    /// happens before the controller told its software.
+    void keep(protocol::Numbering numbering, settings::ProfileStore &store);
 
 private:
     Orders &m_orders;

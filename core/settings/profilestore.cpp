@@ -17,10 +17,14 @@ constexpr auto softwareKey = "numberingSoftware";
 
 QString tr(const char *text) { return QCoreApplication::translate("settings::Profile", text); }
 
-QString keyOf(const QString &name)
-{
-    return QStringLiteral("profiles/") + QString::fromLatin1(name.toUtf8().toPercentEncoding());
-}
+QString encoded(const QString &name) { return QString::fromLatin1(name.toUtf8().toPercentEncoding()); }
+
+QString keyOf(const QString &name) { return QStringLiteral("profiles/") + encoded(name); }
+
+/// What the program itself remembers of a profile; it is not exported with it.
+QString memoryOf(const QString &name) { return QStringLiteral("connections/") + encoded(name); }
+QString connectedKey(const QString &name) { return memoryOf(name) + QStringLiteral("/connected"); }
+QString readinessKey(const QString &name) { return memoryOf(name) + QStringLiteral("/readinessSeen"); }
 
 /// The numbers of a profile: JSON key, label, range, and where they live. Reader, writer and checker go through this
 /// list.
@@ -239,11 +243,39 @@ void ProfileStore::save(const Profile &profile)
     m_settings.setValue(keyOf(profile.name), QString::fromUtf8(json));
 }
 
-void ProfileStore::remove(const QString &name) { m_settings.remove(keyOf(name)); }
+void ProfileStore::remove(const QString &name)
+{
+    m_settings.remove(keyOf(name));
+    m_settings.remove(memoryOf(name));
+}
 
 QString ProfileStore::lastUsed() const { return m_settings.value(QStringLiteral("lastProfile")).toString(); }
 
 void ProfileStore::setLastUsed(const QString &name) { m_settings.setValue(QStringLiteral("lastProfile"), name); }
+
+QList<RecentProfile> ProfileStore::recent(int most) const
+{
+    QList<RecentProfile> found;
+    for (const Profile &profile : profiles()) {
+        const QString at = m_settings.value(connectedKey(profile.name)).toString();
+        found << RecentProfile {profile, QDateTime::fromString(at, Qt::ISODateWithMs)};
+    }
+    const auto isNewer = [](const RecentProfile &a, const RecentProfile &b) {
+        return a.connected.isValid() && (!b.connected.isValid() || a.connected > b.connected);
+    };
+    std::stable_sort(found.begin(), found.end(), isNewer);
+    return found.mid(0, most);
+}
+
+void ProfileStore::noteConnected(const QString &name, const QDateTime &at)
+{
+    if (find(name))
+        m_settings.setValue(connectedKey(name), at.toUTC().toString(Qt::ISODateWithMs));
+}
+
+bool ProfileStore::isReadinessSeen(const QString &name) const { return m_settings.value(readinessKey(name)).toBool(); }
+
+void ProfileStore::setReadinessSeen(const QString &name) { m_settings.setValue(readinessKey(name), true); }
 
 QStringList ProfileStore::pagesInWindows() const
 {

@@ -21,6 +21,12 @@ namespace settings {
 /// What is wrong with a profile, as a translated sentence; empty if nothing is.
 [[nodiscard]] QString complaint(const Profile &profile);
 
+/// A controller of the list "recent".
+struct RecentProfile {
+    Profile profile;
+    QDateTime connected; ///< When it answered last, UTC; invalid: never, or nobody wrote it down.
+};
+
 /// The controllers that this user knows, kept in QSettings.
 class ProfileStore
 {
@@ -38,6 +44,14 @@ public:
     /// The profile that was connected last; empty if none.
     [[nodiscard]] QString lastUsed() const;
     void setLastUsed(const QString &name);
+
+    /// At most `most`, the one that answered last first; those that never did come after it, by their names.
+    [[nodiscard]] QList<RecentProfile> recent(int most) const;
+    /// The profile's controller answered. A profile that is not in the store leaves no trace.
+    void noteConnected(const QString &name, const QDateTime &at);
+    /// The readiness of the profile's controller was shown once.
+    [[nodiscard]] bool isReadinessSeen(const QString &name) const;
+    void setReadinessSeen(const QString &name);
 
     /// Ids of the pages that had windows of their own; they come back after a restart.
     [[nodiscard]] QStringList pagesInWindows() const;

@@ -216,7 +216,7 @@ void TestMainWindow::shortcutsAreListed()
     harness.window.show();
     QVERIFY(QTest::qWaitForWindowActive(&harness.window));
     QTest::keyClick(&harness.window, Qt::Key_F1);
-    QTRY_VERIFY(harness.window.findChild<QDialog *>(QStringLiteral("shortcutsDialog")));
+    QTRY_VERIFY(harness.window.findChild<QDialog *>(QStringLiteral("helpDialog")));
 }
 
 void TestMainWindow::everythingHasAName()

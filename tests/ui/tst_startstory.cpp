@@ -296,8 +296,10 @@ void TestStartStory::holdFromEveryDialog_data()
     });
     row("connectionDialog",
         [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Connect)->trigger(); });
-    row("shortcutsDialog",
-        [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Shortcuts)->trigger(); });
+    row("helpDialog",
+        [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Help)->trigger(); });
+    row("readinessSheet",
+        [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Readiness)->trigger(); });
     row("diagnosisDialog",
         [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Diagnose)->trigger(); });
 }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/page.h"
 
-#include "ui/pages/notconnectedpanel.h"
+#include "ui/pages/startpanel.h"
 #include "ui/widgets/plottable.h"
 #include <QStackedLayout>
 
@@ -10,7 +10,7 @@ namespace pages {
 
 Page::Page(const Context &context, QWidget *parent) : QWidget(parent), m_layers {new QStackedLayout(this)}
 {
-    auto *panel = new NotConnectedPanel(context);
+    auto *panel = new StartPanel(context);
     panel->setObjectName(QStringLiteral("notConnected"));
     m_layers->addWidget(panel);
     new widgets::Plottables(context.recorder, this);

@@ -183,15 +183,7 @@ void VariablesPage::openNumberingTest()
 
 void VariablesPage::onVerified(protocol::Numbering numbering)
 {
-    robot::Controller &controller = m_orders.controller();
-    const auto &system = controller.state().systemInformation();
-    if (!system.value)
-        return;
-    const QString software = QString::fromLatin1(system.value->software.bytes());
-    controller.setNumbering(numbering, QDateTime::currentDateTimeUtc(), software);
-    if (m_store.find(controller.profile().name))
-        m_store.save(controller.profile());
-    m_guard.update();
+    m_guard.keep(numbering, m_store);
     showNumbering();
 }
 

@@ -61,6 +61,55 @@ private Q_SLOTS:
         QCOMPARE(store.profiles().size(), 1);
     }
 
+    /// The one that answered last first; those that never did by their names.
+    void recentControllers()
+    {
+        QTemporaryDir folder;
+        QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+        ProfileStore store {file};
+        QVERIFY(store.recent(5).isEmpty());
+        for (const char *name : {"D", "C", "B", "A/ü"}) {
+            Profile profile = weldCell();
+            profile.name = QString::fromUtf8(name);
+            store.save(profile);
+        }
+        const QDateTime noon {{2026, 3, 1}, {12, 0}, Qt::UTC};
+        store.noteConnected(QStringLiteral("B"), noon);
+        store.noteConnected(QStringLiteral("D"), noon.addSecs(1));
+        store.noteConnected(QStringLiteral("B"), noon.addMSecs(1500).toLocalTime());
+        store.noteConnected(QStringLiteral("nobody"), noon);
+        const auto names = [&store](int most) {
+            QStringList result;
+            for (const RecentProfile &recent : store.recent(most))
+                result << recent.profile.name;
+            return result;
+        };
+        QCOMPARE(names(5),
+            (QStringList {QStringLiteral("B"), QStringLiteral("D"), QStringLiteral("A/ü"), QStringLiteral("C")}));
+        QCOMPARE(names(2), (QStringList {QStringLiteral("B"), QStringLiteral("D")}));
+        QCOMPARE(store.recent(1).first().connected, noon.addMSecs(1500));
+        QVERIFY(!store.recent(3).last().connected.isValid());
+        store.remove(QStringLiteral("B"));
+        QCOMPARE(names(1), QStringList {QStringLiteral("D")});
+        store.save(weldCell());
+        QVERIFY(!file.allKeys().contains(QStringLiteral("connections/nobody/connected")));
+    }
+
+    void readinessIsSeenOnce()
+    {
+        QTemporaryDir folder;
+        QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+        ProfileStore store {file};
+        store.save(weldCell());
+        const QString name = weldCell().name;
+        QVERIFY(!store.isReadinessSeen(name));
+        store.setReadinessSeen(name);
+        QVERIFY(store.isReadinessSeen(name));
+        QVERIFY(!store.isReadinessSeen(QStringLiteral("other")));
+        store.remove(name); // another controller may get the name
+        QVERIFY(!store.isReadinessSeen(name));
+    }
+
     void aDamagedEntryIsLeftAlone()
     {
         QTemporaryDir folder;
