@@ -43,11 +43,6 @@ void addOptions(QCommandLineParser &parser)
     parser.addOption(option("demo", tr("Start with servo power on and a job running.")));
 }
 
-tl::unexpected<values::Error> mistake(const QString &sentence)
-{
-    return values::failure(ErrorKind::BadInput, sentence);
-}
-
 /// The whole number of an option, in first..last.
 Result<int> numberOf(const QCommandLineParser &parser, const char *name, int first, int last)
 {
@@ -56,11 +51,11 @@ Result<int> numberOf(const QCommandLineParser &parser, const char *name, int fir
     const int number = text.toInt(&ok);
     if (ok && number >= first && number <= last)
         return number;
-    return mistake(QStringLiteral("--%1 takes a number from %2 to %3, not \"%4\".")
-                       .arg(QLatin1StringView {name})
-                       .arg(first)
-                       .arg(last)
-                       .arg(text));
+    return values::badInput(QStringLiteral("--%1 takes a number from %2 to %3, not \"%4\".")
+                                .arg(QLatin1StringView {name})
+                                .arg(first)
+                                .arg(last)
+                                .arg(text));
 }
 
 Result<QByteArray> contentsOf(const QString &path)
@@ -105,7 +100,7 @@ Result<Settings> settingsOf(const QCommandLineParser &parser)
     const QString name = parser.value(QStringLiteral("model"));
     const auto *dialect = protocol::findDialect(name);
     if (!dialect)
-        return mistake(QStringLiteral("--model does not know \"%1\".").arg(name));
+        return values::badInput(QStringLiteral("--model does not know \"%1\".").arg(name));
     const auto numbering = numberOf(parser, "numbering", 0, 1);
     if (!numbering)
         return tl::unexpected(numbering.error());
@@ -126,7 +121,7 @@ Result<void> takeNumbers(const QCommandLineParser &parser, SimOptions &options)
     options.server.filePort = quint16(*filePort);
     options.count = *count;
     const int last = std::max(*port, *filePort) + 2 * (*count - 1);
-    return last <= 65535 ? Result<void> {} : mistake(QStringLiteral("--count leads beyond port 65535."));
+    return last <= 65535 ? Result<void> {} : values::badInput(QStringLiteral("--count leads beyond port 65535."));
 }
 
 Result<void> takeFiles(const QCommandLineParser &parser, SimOptions &options)
@@ -151,7 +146,7 @@ Result<void> takeFaults(const QCommandLineParser &parser, SimOptions &options)
 {
     auto faults = Faults::parse(parser.value(QStringLiteral("faults")));
     if (!faults)
-        return mistake(QStringLiteral("--faults: ") + faults.error().detail);
+        return values::badInput(QStringLiteral("--faults: ") + faults.error().detail);
     options.server.faults = std::move(*faults);
     return {};
 }
@@ -163,9 +158,9 @@ Result<SimOptions> parseOptions(const QStringList &arguments)
     QCommandLineParser parser;
     addOptions(parser);
     if (!parser.parse(arguments))
-        return mistake(parser.errorText());
+        return values::badInput(parser.errorText());
     if (!parser.positionalArguments().isEmpty())
-        return mistake(QStringLiteral("\"%1\" is not an option.").arg(parser.positionalArguments().first()));
+        return values::badInput(QStringLiteral("\"%1\" is not an option.").arg(parser.positionalArguments().first()));
     const auto settings = settingsOf(parser);
     if (!settings)
         return tl::unexpected(settings.error());

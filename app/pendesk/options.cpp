@@ -15,11 +15,6 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(pendesk)
 };
 
-tl::unexpected<values::Error> mistake(const QString &sentence)
-{
-    return values::failure(values::ErrorKind::BadInput, sentence);
-}
-
 void describe(QCommandLineParser &parser)
 {
     const auto add = [&](const char *name, const QString &what, const QString &value = {}) {
@@ -47,7 +42,7 @@ values::Result<void> readTarget(const QCommandLineParser &parser, const settings
     if (!target)
         return tl::unexpected(target.error());
     if (options.isDemo && *target)
-        return mistake(Texts::tr("--demo brings its own controller: leave out --host and --profile."));
+        return values::badInput(Texts::tr("--demo brings its own controller: leave out --host and --profile."));
     options.target = *target;
     return {};
 }
@@ -59,7 +54,7 @@ values::Result<void> readTheme(const QCommandLineParser &parser, Options &option
         return {};
     options.scheme = ui::schemeFromName(theme);
     if (!options.scheme)
-        return mistake(Texts::tr("--theme must be light, dark or auto."));
+        return values::badInput(Texts::tr("--theme must be light, dark or auto."));
     return {};
 }
 
@@ -73,7 +68,7 @@ values::Result<void> readLanguage(const QCommandLineParser &parser, Options &opt
     for (const ui::Language &language : ui::languages())
         known << QLatin1String(language.code);
     if (!known.contains(options.language))
-        return mistake(Texts::tr("--language must be one of: %1.").arg(known.join(u", ")));
+        return values::badInput(Texts::tr("--language must be one of: %1.").arg(known.join(u", ")));
     return {};
 }
 
@@ -84,7 +79,7 @@ values::Result<Options> parse(const QStringList &arguments, const settings::Prof
     QCommandLineParser parser;
     describe(parser);
     if (!parser.parse(arguments))
-        return mistake(parser.errorText());
+        return values::badInput(parser.errorText());
     Options options;
     if (parser.isSet(QStringLiteral("help")))
         options.text = parser.helpText();
@@ -93,7 +88,7 @@ values::Result<Options> parse(const QStringList &arguments, const settings::Prof
     if (!options.text.isEmpty())
         return options;
     if (!parser.positionalArguments().isEmpty())
-        return mistake(Texts::tr("“%1” is not an option.").arg(parser.positionalArguments().constFirst()));
+        return values::badInput(Texts::tr("“%1” is not an option.").arg(parser.positionalArguments().constFirst()));
     if (const auto theme = readTheme(parser, options); !theme)
         return tl::unexpected(theme.error());
     if (const auto language = readLanguage(parser, options); !language)
@@ -104,7 +99,7 @@ values::Result<Options> parse(const QStringList &arguments, const settings::Prof
     options.wantsTimings = parser.isSet(QStringLiteral("timings"));
     options.pictures = parser.value(QStringLiteral("pictures"));
     if (parser.isSet(QStringLiteral("pictures")) && (options.pictures.isEmpty() || !(options.isDemo || options.target)))
-        return mistake(Texts::tr("--pictures needs a folder, and --demo, --host or --profile."));
+        return values::badInput(Texts::tr("--pictures needs a folder, and --demo, --host or --profile."));
     return options;
 }
 

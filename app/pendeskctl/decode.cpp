@@ -122,11 +122,6 @@ void addOptions(QCommandLineParser &parser)
         QStringLiteral("HEX"), text(QT_TRANSLATE_NOOP("pendeskctl", "A packet; without any, one a line on stdin.")));
 }
 
-tl::unexpected<values::Error> wrong(const QString &sentence)
-{
-    return values::failure(values::ErrorKind::BadInput, sentence);
-}
-
 /// An error carries a sentence for the person at the keyboard.
 values::Result<Options> read(const QCommandLineParser &parser)
 {
@@ -136,19 +131,19 @@ values::Result<Options> read(const QCommandLineParser &parser)
     options.asText = isSet("text");
     options.packets = parser.positionalArguments();
     if (isSet("reply-to") && !(options.request = fromHex(value("reply-to"))))
-        return wrong(QStringLiteral("--reply-to takes a packet in hex"));
+        return values::badInput(QStringLiteral("--reply-to takes a packet in hex"));
     if (isSet("port") && !(options.division = divisionOf(value("port"))))
-        return wrong(QStringLiteral("--port takes 10040 or 10041"));
+        return values::badInput(QStringLiteral("--port takes 10040 or 10041"));
     if (isSet("encoding")) {
         const auto encoding = protocol::findEncoding(value("encoding"));
         if (!encoding)
-            return wrong(QStringLiteral("no such encoding: %1").arg(value("encoding")));
+            return values::badInput(QStringLiteral("no such encoding: %1").arg(value("encoding")));
         options.encoding = *encoding;
     }
     if (isSet("model")) {
         const auto *dialect = protocol::findDialect(value("model"));
         if (!dialect)
-            return wrong(QStringLiteral("no such model: %1").arg(value("model")));
+            return values::badInput(QStringLiteral("no such model: %1").arg(value("model")));
         options.model = dialect->model;
     }
     return options;
@@ -182,7 +177,7 @@ values::Result<Decoder> decoderFor(const Options &options)
     if (options.division)
         decoder.setDivision(*options.division);
     if (options.request && !decoder.setRequest(*options.request))
-        return wrong(QStringLiteral("--reply-to holds no request"));
+        return values::badInput(QStringLiteral("--reply-to holds no request"));
     return decoder;
 }
 

@@ -52,7 +52,7 @@ Result<void> readController(Call &call, const QCommandLineParser &parser)
         return {};
     const QString numbering = parser.value(QStringLiteral("numbering"));
     if (numbering != u"0" && numbering != u"1")
-        return values::failure(ErrorKind::BadInput, tr("--numbering takes 0 or 1."));
+        return values::badInput(tr("--numbering takes 0 or 1."));
     call.profile.numbering = protocol::Numbering(numbering.toInt());
     return {};
 }
@@ -79,7 +79,7 @@ Result<settings::Profile> profileOf(const QCommandLineParser &parser)
     if (!named)
         return tl::unexpected(named.error());
     if (!*named)
-        return values::failure(ErrorKind::BadInput, tr("Name the controller with --host or --profile."));
+        return values::badInput(tr("Name the controller with --host or --profile."));
     return **named;
 }
 

@@ -11,7 +11,7 @@ namespace files {
 
 namespace {
 
-struct Texts {
+struct JobDiffTexts {
     Q_DECLARE_TR_FUNCTIONS(files::JobDiff)
 };
 
@@ -187,29 +187,30 @@ QString shiftText(const JobEdit &edit, const Shift &shift)
     const QString amount = QLocale().toString(shift.amount, 'g', 10);
     const QString axis = axisName(edit, shift.axis);
     if (edit.isPulse)
-        return Texts::tr("%1 pulses in %2").arg(amount, axis);
-    return shift.axis < 3 ? Texts::tr("%1 mm in %2").arg(amount, axis) : Texts::tr("%1° in %2").arg(amount, axis);
+        return JobDiffTexts::tr("%1 pulses in %2").arg(amount, axis);
+    return shift.axis < 3 ? JobDiffTexts::tr("%1 mm in %2").arg(amount, axis)
+                          : JobDiffTexts::tr("%1° in %2").arg(amount, axis);
 }
 
 QString movedText(const JobEdit &edit, const QString &subject, const QString &older, const QString &newer)
 {
     if (edit.shifts.isEmpty())
-        return Texts::tr("%1 changed: %2 → %3").arg(subject, older, newer);
+        return JobDiffTexts::tr("%1 changed: %2 → %3").arg(subject, older, newer);
     QStringList shifts;
     for (const Shift &shift : edit.shifts)
         shifts << shiftText(edit, shift);
-    return Texts::tr("%1 moved %2").arg(subject, shifts.join(QStringLiteral(", ")));
+    return JobDiffTexts::tr("%1 moved %2").arg(subject, shifts.join(QStringLiteral(", ")));
 }
 
 QString headerText(const JobEdit &edit, const QString &older, const QString &newer)
 {
     if (edit.subject == "name")
-        return Texts::tr("Job name changed: “%1” → “%2”").arg(older, newer);
+        return JobDiffTexts::tr("Job name changed: “%1” → “%2”").arg(older, newer);
     if (edit.subject == "comment")
-        return Texts::tr("Comment changed: “%1” → “%2”").arg(older, newer);
+        return JobDiffTexts::tr("Comment changed: “%1” → “%2”").arg(older, newer);
     if (edit.subject == "attributes")
-        return Texts::tr("Attributes changed: %1 → %2").arg(older, newer);
-    return Texts::tr("Control groups changed: %1 → %2").arg(older, newer);
+        return JobDiffTexts::tr("Attributes changed: %1 → %2").arg(older, newer);
+    return JobDiffTexts::tr("Control groups changed: %1 → %2").arg(older, newer);
 }
 
 } // namespace
@@ -226,15 +227,16 @@ QString explain(const JobEdit &edit, const protocol::TextCodec &codec)
     const QString newer = codec.decode(edit.newer);
     switch (edit.kind) {
     case EditKind::HeaderChanged: return headerText(edit, older, newer);
-    case EditKind::PositionAdded: return Texts::tr("%1 added: %2").arg(subject, newer);
-    case EditKind::PositionRemoved: return Texts::tr("%1 removed: %2").arg(subject, older);
+    case EditKind::PositionAdded: return JobDiffTexts::tr("%1 added: %2").arg(subject, newer);
+    case EditKind::PositionRemoved: return JobDiffTexts::tr("%1 removed: %2").arg(subject, older);
     case EditKind::PositionMoved: return movedText(edit, subject, older, newer);
-    case EditKind::PositionRetyped: return Texts::tr("%1 is taught otherwise: %2 → %3").arg(subject, older, newer);
+    case EditKind::PositionRetyped:
+        return JobDiffTexts::tr("%1 is taught otherwise: %2 → %3").arg(subject, older, newer);
     case EditKind::OperandChanged:
-        return Texts::tr("%1 %2 → %3 at line %4").arg(subject, older, newer).arg(edit.line).trimmed();
-    case EditKind::LineChanged: return Texts::tr("Line %1: %2 → %3").arg(edit.line).arg(older, newer);
-    case EditKind::LineAdded: return Texts::tr("Line %1 added: %2").arg(edit.line).arg(newer);
-    case EditKind::LineRemoved: return Texts::tr("Line %1 removed: %2").arg(edit.line).arg(older);
+        return JobDiffTexts::tr("%1 %2 → %3 at line %4").arg(subject, older, newer).arg(edit.line).trimmed();
+    case EditKind::LineChanged: return JobDiffTexts::tr("Line %1: %2 → %3").arg(edit.line).arg(older, newer);
+    case EditKind::LineAdded: return JobDiffTexts::tr("Line %1 added: %2").arg(edit.line).arg(newer);
+    case EditKind::LineRemoved: return JobDiffTexts::tr("Line %1 removed: %2").arg(edit.line).arg(older);
     }
     return {};
 }

@@ -6,17 +6,11 @@ using values::ErrorKind;
 
 namespace files {
 
-namespace {
-
-session::Time now() { return std::chrono::steady_clock::now(); }
-
-} // namespace
-
 session::Milliseconds Operation::duration() const
 {
     if (m_state == OperationState::Waiting)
         return {};
-    const session::Time end = isOver() ? m_endedAt : now();
+    const session::Time end = isOver() ? m_endedAt : values::now();
     return std::chrono::duration_cast<session::Milliseconds>(end - m_startedAt);
 }
 
@@ -27,7 +21,7 @@ void Operation::start()
     m_state = OperationState::Running;
     m_error.reset();
     m_isCancelling = false;
-    m_startedAt = now();
+    m_startedAt = values::now();
     QMetaObject::invokeMethod(this, &Operation::begin, Qt::QueuedConnection);
 }
 
@@ -74,7 +68,7 @@ void Operation::cancel()
 
 void Operation::finish(const values::Result<void> &result)
 {
-    m_endedAt = now();
+    m_endedAt = values::now();
     if (result)
         m_state = OperationState::Done;
     else if (result.error().kind == ErrorKind::Cancelled)

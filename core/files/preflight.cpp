@@ -13,7 +13,7 @@ namespace files {
 
 namespace {
 
-struct Texts {
+struct PreflightTexts {
     Q_DECLARE_TR_FUNCTIONS(files::Preflight)
 };
 
@@ -113,25 +113,27 @@ bool mayBeSent(const QList<Finding> &findings) { return std::ranges::none_of(fin
 QString explain(const Finding &finding)
 {
     switch (finding.concern) {
-    case Concern::Empty: return Texts::tr("The file is empty; HSES cannot carry it.");
-    case Concern::NotLoadable: return Texts::tr("Controllers take no files of type “%1”.").arg(finding.detail);
-    case Concern::BadJobName: return Texts::tr("“%1” is no name for a job.").arg(finding.detail);
+    case Concern::Empty: return PreflightTexts::tr("The file is empty; HSES cannot carry it.");
+    case Concern::NotLoadable: return PreflightTexts::tr("Controllers take no files of type “%1”.").arg(finding.detail);
+    case Concern::BadJobName: return PreflightTexts::tr("“%1” is no name for a job.").arg(finding.detail);
     case Concern::NameDiffers:
-        return Texts::tr("The header names the job “%1”: that job would be written.").arg(finding.detail);
-    case Concern::NotAJob: return Texts::tr("This is no job: it does not have the line /JOB.");
-    case Concern::NoNop: return Texts::tr("The first instruction is not NOP.");
-    case Concern::NoEnd: return Texts::tr("The last instruction is not END.");
+        return PreflightTexts::tr("The header names the job “%1”: that job would be written.").arg(finding.detail);
+    case Concern::NotAJob: return PreflightTexts::tr("This is no job: it does not have the line /JOB.");
+    case Concern::NoNop: return PreflightTexts::tr("The first instruction is not NOP.");
+    case Concern::NoEnd: return PreflightTexts::tr("The last instruction is not END.");
     case Concern::WrongPositionCount:
-        return Texts::tr("///NPOS does not count the positions; there are %1.").arg(finding.detail);
-    case Concern::Running: return Texts::tr("The job is being executed.");
-    case Concern::ControlCharacter: return Texts::tr("There is a control character in line %1.").arg(finding.line);
-    case Concern::LineEndings: return Texts::tr("Lines do not end in CR LF, from line %1 on.").arg(finding.line);
-    case Concern::NoFinalNewline: return Texts::tr("The last line does not end.");
-    case Concern::LongComment: return Texts::tr("The comment is longer than 32 bytes.");
+        return PreflightTexts::tr("///NPOS does not count the positions; there are %1.").arg(finding.detail);
+    case Concern::Running: return PreflightTexts::tr("The job is being executed.");
+    case Concern::ControlCharacter:
+        return PreflightTexts::tr("There is a control character in line %1.").arg(finding.line);
+    case Concern::LineEndings:
+        return PreflightTexts::tr("Lines do not end in CR LF, from line %1 on.").arg(finding.line);
+    case Concern::NoFinalNewline: return PreflightTexts::tr("The last line does not end.");
+    case Concern::LongComment: return PreflightTexts::tr("The comment is longer than 32 bytes.");
     case Concern::OtherCharacters:
-        return Texts::tr("Line %1 has characters beyond ASCII outside of a comment.").arg(finding.line);
+        return PreflightTexts::tr("Line %1 has characters beyond ASCII outside of a comment.").arg(finding.line);
     case Concern::ReplacesNames:
-        return Texts::tr("All names in the controller become those in this file. Back them up first.");
+        return PreflightTexts::tr("All names in the controller become those in this file. Back them up first.");
     }
     return {};
 }

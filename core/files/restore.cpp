@@ -14,7 +14,7 @@ namespace files {
 
 namespace {
 
-struct Texts {
+struct RestoreTexts {
     Q_DECLARE_TR_FUNCTIONS(files::Restore)
 };
 
@@ -22,12 +22,12 @@ struct Texts {
 QString obstacle(const FileName &name, const FileSet &bag, Change change, const QByteArrayList &jobsInUse)
 {
     if (!bag.hashes.contains(name))
-        return Texts::tr("It is not in the backup.");
+        return RestoreTexts::tr("It is not in the backup.");
     if (change == Change::Unread)
-        return Texts::tr("What the controller has could not be read.");
+        return RestoreTexts::tr("What the controller has could not be read.");
     const auto content = bag.content(name);
     if (!content)
-        return Texts::tr("In the backup it is not as it was written.");
+        return RestoreTexts::tr("In the backup it is not as it was written.");
     for (const Finding &finding : preflight(name, *content, jobsInUse)) {
         if (finding.stops())
             return explain(finding);

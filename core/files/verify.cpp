@@ -11,7 +11,7 @@ namespace files {
 
 namespace {
 
-struct Texts {
+struct VerifyTexts {
     Q_DECLARE_TR_FUNCTIONS(files::Verify)
 };
 
@@ -99,11 +99,12 @@ Verification verify(const QString &path) { return Verifier {path}.run(); }
 QString explain(const BagFault &fault)
 {
     switch (fault.kind) {
-    case FaultKind::NotABag: return Texts::tr("This is no backup: %1 is missing or of another kind.").arg(fault.path);
-    case FaultKind::Malformed: return Texts::tr("%1 is not as it was written.").arg(fault.path);
-    case FaultKind::Changed: return Texts::tr("%1 was changed.").arg(fault.path);
-    case FaultKind::Missing: return Texts::tr("%1 is missing.").arg(fault.path);
-    case FaultKind::Extra: return Texts::tr("%1 does not belong to the backup.").arg(fault.path);
+    case FaultKind::NotABag:
+        return VerifyTexts::tr("This is no backup: %1 is missing or of another kind.").arg(fault.path);
+    case FaultKind::Malformed: return VerifyTexts::tr("%1 is not as it was written.").arg(fault.path);
+    case FaultKind::Changed: return VerifyTexts::tr("%1 was changed.").arg(fault.path);
+    case FaultKind::Missing: return VerifyTexts::tr("%1 is missing.").arg(fault.path);
+    case FaultKind::Extra: return VerifyTexts::tr("%1 does not belong to the backup.").arg(fault.path);
     }
     return {};
 }

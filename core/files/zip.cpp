@@ -17,7 +17,7 @@ namespace {
 
 using values::Result;
 
-using Archive = std::unique_ptr<archive, decltype(&archive_write_free)>;
+using Writer = std::unique_ptr<archive, decltype(&archive_write_free)>;
 using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
 
 la_ssize_t writeBytes(archive *, void *device, const void *bytes, size_t size)
@@ -69,7 +69,7 @@ Result<void> writeZip(const QString &folder, const QString &target)
     QSaveFile file {target};
     if (!file.open(QIODevice::WriteOnly))
         return failed(target, file.errorString());
-    const Archive zip {archive_write_new(), &archive_write_free};
+    const Writer zip {archive_write_new(), &archive_write_free};
     archive_write_set_format_zip(zip.get());
     archive_write_set_options(zip.get(), "zip:hdrcharset=UTF-8");
     archive_write_set_bytes_in_last_block(zip.get(), 1);

@@ -79,7 +79,7 @@ double Rotation::angle() const
 values::Result<Pose> poseOf(const values::Position &position)
 {
     if (position.type == values::PositionType::Pulse || position.axes.count() < 6)
-        return values::failure(values::ErrorKind::BadInput, QStringLiteral("not a cartesian position of six axes"));
+        return values::badInput(QStringLiteral("not a cartesian position of six axes"));
     const values::AxisWords &axes = position.axes;
     return Pose {{axes[0] / 1e3, axes[1] / 1e3, axes[2] / 1e3}, {axes[3] / 1e4, axes[4] / 1e4, axes[5] / 1e4}};
 }

@@ -12,25 +12,21 @@ namespace {
 using values::PositionType;
 using values::Result;
 
-struct Texts {
+struct JogStepTexts {
     Q_DECLARE_TR_FUNCTIONS(motion::JogStep)
 };
-
-tl::unexpected<values::Error> no(const QString &sentence)
-{
-    return values::failure(values::ErrorKind::BadInput, sentence);
-}
 
 bool isWithin(double step, double most) { return step > 0 && step <= most; }
 
 Result<void> checkStep(const JogChoice &choice, int axis, const Limits &limits)
 {
     if (choice.frame == JogFrame::Axes && !isWithin(choice.pulses, limits.stepPulses))
-        return no(Texts::tr("A step must be above 0 and at most %1 pulses.").arg(limits.stepPulses));
+        return values::badInput(
+            JogStepTexts::tr("A step must be above 0 and at most %1 pulses.").arg(limits.stepPulses));
     if (choice.frame != JogFrame::Axes && axis < 3 && !isWithin(choice.length, limits.stepLength))
-        return no(Texts::tr("A step must be above 0 and at most %1 mm.").arg(limits.stepLength));
+        return values::badInput(JogStepTexts::tr("A step must be above 0 and at most %1 mm.").arg(limits.stepLength));
     if (choice.frame != JogFrame::Axes && axis >= 3 && !isWithin(choice.angle, limits.stepAngle))
-        return no(Texts::tr("A step must be above 0 and at most %1°.").arg(limits.stepAngle));
+        return values::badInput(JogStepTexts::tr("A step must be above 0 and at most %1°.").arg(limits.stepAngle));
     return {};
 }
 
@@ -44,9 +40,9 @@ qint32 wordOf(const JogChoice &choice, JogDirection direction)
 Result<Wish> cartesianStep(const JogChoice &choice, JogDirection direction, const Present &present)
 {
     if (!present.base)
-        return no(Texts::tr("The present position was not read."));
+        return values::badInput(JogStepTexts::tr("The present position was not read."));
     if (direction.axis < 0 || direction.axis >= std::min(present.base->axes.count(), 7))
-        return no(Texts::tr("The group has no such axis."));
+        return values::badInput(JogStepTexts::tr("The group has no such axis."));
     Wish wish {choice.group, Wish::How::Increment,
         choice.frame == JogFrame::Robot ? PositionType::Robot : PositionType::Base, {}, present.base->form,
         present.base->extendedForm, present.base->tool, 0, {}, choice.speeds};
@@ -59,9 +55,9 @@ Result<Wish> axisStep(const JogChoice &choice, JogDirection direction, const Pre
 {
     const auto &here = present.at(choice.group);
     if (!here)
-        return no(Texts::tr("The present position was not read."));
+        return values::badInput(JogStepTexts::tr("The present position was not read."));
     if (direction.axis < 0 || direction.axis >= here->axes.count())
-        return no(Texts::tr("The group has no such axis."));
+        return values::badInput(JogStepTexts::tr("The group has no such axis."));
     Wish wish {choice.group, Wish::How::Joint, PositionType::Pulse, here->axes, 0, 0, here->tool, 0, {}, choice.speeds};
     const qint64 target = qint64(here->axes[direction.axis]) + (direction.isForward ? choice.pulses : -choice.pulses);
     wish.axes[direction.axis] = qint32(std::clamp<qint64>(target, INT32_MIN, INT32_MAX));

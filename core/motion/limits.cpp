@@ -25,7 +25,7 @@ constexpr Row rows[] {
 
 tl::unexpected<values::Error> damaged(const char *name)
 {
-    return values::failure(values::ErrorKind::BadInput, QStringLiteral("motion limit: %1").arg(QLatin1String(name)));
+    return values::badInput(QStringLiteral("motion limit: %1").arg(QLatin1String(name)));
 }
 
 bool hasInside(const Box &box)

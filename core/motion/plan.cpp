@@ -13,25 +13,22 @@ namespace {
 using values::PositionType;
 using values::Result;
 
-struct Texts {
+struct PlanTexts {
     Q_DECLARE_TR_FUNCTIONS(motion::Plan)
 };
-
-tl::unexpected<values::Error> no(const QString &sentence)
-{
-    return values::failure(values::ErrorKind::BadInput, sentence);
-}
 
 /// An empty error says that the speeds may be used.
 Result<void> checkSpeeds(const Speeds &speeds, const Limits &limits)
 {
     const auto isWithin = [](double speed, double most) { return speed > 0 && speed <= most; };
     if (!isWithin(speeds.tool, limits.toolSpeed))
-        return no(Texts::tr("The speed must be above 0 and at most %1 mm/s.").arg(limits.toolSpeed));
+        return values::badInput(PlanTexts::tr("The speed must be above 0 and at most %1 mm/s.").arg(limits.toolSpeed));
     if (!isWithin(speeds.rotation, limits.rotationSpeed))
-        return no(Texts::tr("The rotation speed must be above 0 and at most %1 °/s.").arg(limits.rotationSpeed));
+        return values::badInput(
+            PlanTexts::tr("The rotation speed must be above 0 and at most %1 °/s.").arg(limits.rotationSpeed));
     if (!isWithin(speeds.joint, limits.jointSpeed))
-        return no(Texts::tr("The joint speed must be above 0 and at most %1 %.").arg(limits.jointSpeed));
+        return values::badInput(
+            PlanTexts::tr("The joint speed must be above 0 and at most %1 %.").arg(limits.jointSpeed));
     return {};
 }
 
@@ -75,16 +72,18 @@ Result<Reach> reachOfTarget(const Wish &wish, const Present &present)
 {
     const bool isBase = wish.frame == PositionType::Base || (wish.frame == PositionType::Robot && !present.hasTrack);
     if (!isBase)
-        return no(Texts::tr("Where this frame stands cannot be read over HSES, so nobody here knows how far the move "
-                            "would go: use the base frame or an increment."));
+        return values::badInput(
+            PlanTexts::tr("Where this frame stands cannot be read over HSES, so nobody here knows how far the move "
+                          "would go: use the base frame or an increment."));
     if (present.hasTrack && !wish.track)
-        return no(Texts::tr("This robot stands on base axes, and HSES does not tell where they are in mm: enter where "
-                            "they shall be."));
+        return values::badInput(
+            PlanTexts::tr("This robot stands on base axes, and HSES does not tell where they are in mm: enter where "
+                          "they shall be."));
     const auto target = inBase(wish);
     const auto from = poseOf(*present.base);
     const auto to = poseOf(target);
     if (!from || !to)
-        return no(Texts::tr("The position has no six axes."));
+        return values::badInput(PlanTexts::tr("The position has no six axes."));
     Reach reach {to->mm, target, distance(*from, *to), rotationDistance(*from, *to)};
     reach.angle = std::max(reach.angle, reTurn(present.base->axes, target.axes));
     return reach;
@@ -97,7 +96,7 @@ Result<Reach> reachOfIncrement(const Wish &wish, const Present &present)
     const auto from = poseOf(*present.base);
     const auto way = poseOf(inBase(wish));
     if (!from || !way)
-        return no(Texts::tr("The position has no six axes."));
+        return values::badInput(PlanTexts::tr("The position has no six axes."));
     Reach reach;
     reach.length = distance(Pose {}, *way);
     reach.angle = std::max(rotationDistance(Pose {}, *way), reTurn({}, wish.axes));
@@ -129,9 +128,9 @@ Result<BoxCheck> checkBox(const Reach &reach, const Wish &wish, const Present &p
         return BoxCheck::NoBox;
     const Vector from = poseOf(*present.base)->mm;
     if (!limits.box->contains(from))
-        return no(Texts::tr("The tool point stands outside the box of this controller."));
+        return values::badInput(PlanTexts::tr("The tool point stands outside the box of this controller."));
     if (reach.place ? !limits.box->contains(*reach.place) : !holdsAround(*limits.box, from, reach.length))
-        return no(Texts::tr("The move would leave the box of this controller."));
+        return values::badInput(PlanTexts::tr("The move would leave the box of this controller."));
     return wish.how == Wish::How::Joint ? BoxCheck::BothEnds : BoxCheck::WholeWay;
 }
 
@@ -139,12 +138,12 @@ Result<void> checkFrame(const Wish &wish, const Limits &limits)
 {
     const bool isDoubtful = wish.frame == PositionType::User || wish.frame == PositionType::Tool;
     if (isDoubtful && !limits.areFramesChecked)
-        return no(
-            Texts::tr("User and tool frames are off until the profile says that they were checked on the robot."));
+        return values::badInput(
+            PlanTexts::tr("User and tool frames are off until the profile says that they were checked on the robot."));
     if (wish.frame == PositionType::User && (wish.userFrame < 1 || wish.userFrame > 63))
-        return no(Texts::tr("The user frame must be from 1 to 63."));
+        return values::badInput(PlanTexts::tr("The user frame must be from 1 to 63."));
     if (wish.tool > 63)
-        return no(Texts::tr("The tool must be from 0 to 63."));
+        return values::badInput(PlanTexts::tr("The tool must be from 0 to 63."));
     return {};
 }
 
@@ -180,11 +179,11 @@ CartesianOrder cartesianOrder(const Wish &wish, const Reach &reach)
 Result<Plan> planCartesian(const Wish &wish, const Present &present, const Limits &limits)
 {
     if (wish.group.instance > 8)
-        return no(Texts::tr("A base or a station is moved in pulses."));
+        return values::badInput(PlanTexts::tr("A base or a station is moved in pulses."));
     if (const auto frame = checkFrame(wish, limits); !frame)
         return tl::unexpected(frame.error());
     if (!present.base)
-        return no(Texts::tr("The present position was not read."));
+        return values::badInput(PlanTexts::tr("The present position was not read."));
     const auto reach =
         wish.how == Wish::How::Increment ? reachOfIncrement(wish, present) : reachOfTarget(wish, present);
     if (!reach)
@@ -226,15 +225,17 @@ void fill(std::span<qint32> words, const values::AxisWords &axes)
 Result<Plan> planPulses(const Wish &wish, const Present &present, const Limits &limits)
 {
     if (wish.how != Wish::How::Joint)
-        return no(Texts::tr("A target in pulses can only be reached by a joint move: how far the tool point would go, "
-                            "and so how fast, is not known here."));
+        return values::badInput(
+            PlanTexts::tr("A target in pulses can only be reached by a joint move: how far the tool point would go, "
+                          "and so how fast, is not known here."));
     if (limits.box)
-        return no(Texts::tr("This controller has a box, and where pulses lead is not known here: use the base frame."));
+        return values::badInput(
+            PlanTexts::tr("This controller has a box, and where pulses lead is not known here: use the base frame."));
     const PulseGroups groups {wish.group};
     if (!present.pulse || ((groups.isTrack || present.hasTrack) && !present.track))
-        return no(Texts::tr("The present position was not read."));
+        return values::badInput(PlanTexts::tr("The present position was not read."));
     if (wish.tool > 63)
-        return no(Texts::tr("The tool must be from 0 to 63."));
+        return values::badInput(PlanTexts::tr("The tool must be from 0 to 63."));
     PulseOrder order;
     values::PulseTarget &target = order.target;
     target.speed = jointSpeed(wish.speeds);

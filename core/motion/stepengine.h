@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include <chrono>
+#include "values/clock.h"
 #include <optional>
 
 namespace motion {
 
-using Time = std::chrono::steady_clock::time_point;
+using values::Time;
 
 /// Decides when a jog step may be sent. It knows no socket, no clock and no button: everything that happens is told to
 /// it with the time at which it is seen, and it answers what is to be done at once.

@@ -31,11 +31,9 @@ Result<Signal> fromLogicalNumber(const QString &digits, const Dialect &dialect)
     const int number = digits.toInt(); // too many digits are 0, which nothing has
     const Signal signal {number / 10, number % 10};
     if (!dialect.ioArea(quint32(signal.group)))
-        return failure(
-            ErrorKind::BadInput, Sentences::tr("%1 has no signal #%2.").arg(QLatin1StringView(dialect.name), digits));
+        return values::badInput(Sentences::tr("%1 has no signal #%2.").arg(QLatin1StringView(dialect.name), digits));
     if (signal.bit >= signalsPerGroup)
-        return failure(
-            ErrorKind::BadInput, Sentences::tr("There is no #%1: the last digit of a signal is 0 to 7.").arg(digits));
+        return values::badInput(Sentences::tr("There is no #%1: the last digit of a signal is 0 to 7.").arg(digits));
     return signal;
 }
 
@@ -44,10 +42,9 @@ Result<Signal> fromInformName(const InformArea &area, const QString &digits, con
     if (const auto signal = signalOf(area.area, digits.toInt(), dialect))
         return *signal;
     const QString name = QString::fromLatin1(area.name);
-    return failure(ErrorKind::BadInput,
-        Sentences::tr("There is no %1#(%2): this controller has %1#(1) to %1#(%3).")
-            .arg(name, digits)
-            .arg(dialect.ioRange(area.area).count() * signalsPerGroup));
+    return values::badInput(Sentences::tr("There is no %1#(%2): this controller has %1#(1) to %1#(%3).")
+                                .arg(name, digits)
+                                .arg(dialect.ioRange(area.area).count() * signalsPerGroup));
 }
 
 } // namespace
@@ -87,8 +84,7 @@ Result<Signal> signalFromText(QStringView text, const Dialect &dialect)
         if (match.captured(1).compare(QLatin1StringView(area.name), Qt::CaseInsensitive) == 0)
             return fromInformName(area, match.captured(3), dialect);
     }
-    return failure(ErrorKind::BadInput,
-        Sentences::tr("“%1” is not a signal. Write #00010, IN#(1) or OT#(1).").arg(text.trimmed()));
+    return values::badInput(Sentences::tr("“%1” is not a signal. Write #00010, IN#(1) or OT#(1).").arg(text.trimmed()));
 }
 
 } // namespace names

@@ -97,7 +97,7 @@ template <typename Item> [[nodiscard]] values::Result<void> checkCount(qsizetype
 {
     if (count >= 0 && pluralRule<Item>().allows(quint32(count)))
         return {};
-    return values::failure(values::ErrorKind::BadInput, QStringLiteral("%1 items do not go into a packet").arg(count));
+    return values::badInput(QStringLiteral("%1 items do not go into a packet").arg(count));
 }
 
 /// Reads several items in a row.

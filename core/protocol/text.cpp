@@ -106,9 +106,8 @@ QByteArray encodeCharacter(QStringEncoder &encoder, Scanner &scanner, QStringVie
 
 tl::unexpected<values::Error> cannotHold(QStringView character, Encoding encoding)
 {
-    return values::failure(ErrorKind::BadInput,
-        QStringLiteral("%1 does not hold the character \"%2\"")
-            .arg(QLatin1StringView(encodingKey(encoding)), character));
+    return values::badInput(QStringLiteral("%1 does not hold the character \"%2\"")
+                                .arg(QLatin1StringView(encodingKey(encoding)), character));
 }
 
 } // namespace

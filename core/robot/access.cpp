@@ -6,12 +6,6 @@ using namespace std::chrono_literals;
 
 namespace robot {
 
-namespace {
-
-Time now() { return std::chrono::steady_clock::now(); }
-
-} // namespace
-
 Access::Access(settings::AccessSettings settings, QObject *parent)
     : QObject {parent}, m_settings {std::move(settings)}, m_lastActivity {now()}
 {

@@ -22,8 +22,6 @@ constexpr auto standstill = 250ms; ///< Of this program itself, such as a long p
 constexpr auto resolvePause = 2s;
 constexpr int statusMissesUntilLost = 3;
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 } // namespace
 
 /// What exists while a link is open. It is a child-less QObject: the context of everything that must end with the link.

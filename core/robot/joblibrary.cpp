@@ -14,8 +14,6 @@ namespace robot {
 
 namespace {
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 Error noLink() { return {ErrorKind::NotSent, 0, 0, {}}; }
 
 } // namespace

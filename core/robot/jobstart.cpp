@@ -12,8 +12,6 @@ namespace {
 
 constexpr auto askPause = 200ms;
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 } // namespace
 
 JobStart::JobStart(Orders &orders, QString job, QObject *parent)

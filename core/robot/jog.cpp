@@ -14,8 +14,6 @@ namespace {
 
 constexpr auto pulse = 50ms;
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 /// Every condition of a step but that nothing runs, which the engine looks at itself.
 bool allowsMotion(const Orders &orders)
 {

@@ -12,8 +12,6 @@ namespace {
 /// For a move whose time cannot be told.
 constexpr std::chrono::milliseconds longTime = 60s;
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 } // namespace
 
 Move::Move(Orders &orders, motion::Plan plan, motion::Present present, QObject *parent)

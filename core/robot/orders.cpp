@@ -13,8 +13,6 @@ namespace robot {
 
 namespace {
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 journal::Outcome outcomeOf(const Result<void> &result)
 {
     if (result)

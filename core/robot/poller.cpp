@@ -19,8 +19,6 @@ constexpr auto patience = 500ms;
 /// How often something that was refused is asked for again.
 constexpr auto refusedPause = 5s;
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 template <Kind kind> auto requestFor(int number)
 {
     const auto instance = quint16(number);
@@ -224,8 +222,7 @@ template <typename Request, typename Take> void Poller::ask(const PlannedRead &r
         settle(read, value ? std::nullopt : std::optional {value.error()}, at);
     };
     const bool isStatus = read.range.kind == Kind::Status;
-    m_session->send(
-        request, m_context.get(), onReply, isStatus ? session::Priority::Control : session::Priority::Page);
+    m_session->send(request, m_context.get(), onReply, isStatus ? session::Priority::Control : session::Priority::Page);
 }
 
 template <Kind kind> void Poller::sendSingle(const PlannedRead &read)

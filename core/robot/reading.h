@@ -2,14 +2,15 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "values/clock.h"
 #include "values/error.h"
 #include <QDateTime>
-#include <chrono>
 #include <optional>
 
 namespace robot {
 
-using Time = std::chrono::steady_clock::time_point;
+using values::now;
+using values::Time;
 using Milliseconds = std::chrono::milliseconds;
 
 /// How a value may be shown. There is no fifth state, and none of them is 0 or blank.

@@ -18,8 +18,6 @@ namespace {
 constexpr auto patience = 2s;
 constexpr auto pause = 50ms; ///< Between a status that does not confirm and the next try.
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 } // namespace
 
 StopOrder::StopOrder(Stop stop, session::Session &session, QObject *parent)

@@ -16,8 +16,6 @@ namespace {
 
 constexpr Milliseconds idLinger {5000};
 
-Time now() { return std::chrono::steady_clock::now(); }
-
 /// Some controllers may say "no file of that type" by refusing (reference §7.4).
 bool saysEmptyList(const Error &error)
 {

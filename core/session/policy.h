@@ -3,11 +3,12 @@
 #pragma once
 
 #include "protocol/effect.h"
-#include <chrono>
+#include "values/clock.h"
 
 namespace session {
 
-using Time = std::chrono::steady_clock::time_point;
+using values::now;
+using values::Time;
 using Milliseconds = std::chrono::milliseconds;
 
 /// Who goes first. A stop waits for nothing, not even for the window or the ceiling.

@@ -6,12 +6,6 @@
 
 namespace session {
 
-namespace {
-
-Time now() { return std::chrono::steady_clock::now(); }
-
-} // namespace
-
 Session::Session(Transport &transport, const Policy &policy, QObject *parent)
     : QObject {parent},
       m_transport {transport},

@@ -16,11 +16,6 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(settings::CommandLine)
 };
 
-tl::unexpected<values::Error> mistake(const QString &sentence)
-{
-    return values::failure(values::ErrorKind::BadInput, sentence);
-}
-
 /// "300ms", "2s" or plain milliseconds.
 std::optional<std::chrono::milliseconds> duration(const QString &text)
 {
@@ -38,7 +33,7 @@ Result<void> readPort(const QCommandLineParser &parser, const QString &option, q
     bool isNumber = false;
     const int value = parser.value(option).toInt(&isNumber);
     if (!isNumber || value < 1 || value > 65535)
-        return mistake(Texts::tr("--%1 must be a whole number from 1 to 65535.").arg(option));
+        return values::badInput(Texts::tr("--%1 must be a whole number from 1 to 65535.").arg(option));
     port = quint16(value);
     return {};
 }
@@ -49,7 +44,7 @@ Result<void> readTimeout(const QCommandLineParser &parser, std::chrono::millisec
         return {};
     const auto value = duration(parser.value(QStringLiteral("timeout")));
     if (!value)
-        return mistake(Texts::tr("--timeout takes a time such as 300ms or 1s."));
+        return values::badInput(Texts::tr("--timeout takes a time such as 300ms or 1s."));
     timeout = *value;
     return {};
 }
@@ -61,7 +56,7 @@ Result<Profile> storedOrNew(const QCommandLineParser &parser, const ProfileStore
     const QString name = parser.value(QStringLiteral("profile"));
     if (const auto profile = store.find(name))
         return *profile;
-    return mistake(Texts::tr("There is no controller stored under the name “%1”.").arg(name));
+    return values::badInput(Texts::tr("There is no controller stored under the name “%1”.").arg(name));
 }
 
 } // namespace
@@ -84,7 +79,7 @@ Result<std::optional<Profile>> namedController(const QCommandLineParser &parser,
     if (!isNamed) {
         for (const char *option : {"port", "file-port", "timeout"}) {
             if (parser.isSet(QLatin1String(option)))
-                return mistake(Texts::tr("--%1 needs --host or --profile.").arg(QLatin1String(option)));
+                return values::badInput(Texts::tr("--%1 needs --host or --profile.").arg(QLatin1String(option)));
         }
         return std::nullopt;
     }
@@ -104,7 +99,7 @@ Result<std::optional<Profile>> namedController(const QCommandLineParser &parser,
     if (profile->host != stored.host || profile->port != stored.port)
         profile->numberingVerified = {}; // perhaps another controller
     if (const QString wrong = complaint(*profile); !wrong.isEmpty())
-        return mistake(wrong);
+        return values::badInput(wrong);
     return *profile;
 }
 

@@ -159,15 +159,15 @@ values::Result<Profile> profileFromJson(const QJsonObject &json)
     if (const auto *dialect = protocol::findDialect(model))
         profile.model = dialect->model;
     else
-        return values::failure(ErrorKind::BadInput, tr("The model “%1” is not known.").arg(model));
+        return values::badInput(tr("The model “%1” is not known.").arg(model));
     const QString encoding = json.value(u"encoding").toString();
     if (const auto found = protocol::findEncoding(encoding))
         profile.encoding = *found;
     else
-        return values::failure(ErrorKind::BadInput, tr("The text encoding “%1” is not known.").arg(encoding));
+        return values::badInput(tr("The text encoding “%1” is not known.").arg(encoding));
     const int numbering = json.value(u"numbering").toInt(-1);
     if (numbering != 0 && numbering != 1)
-        return values::failure(ErrorKind::BadInput, tr("The variable numbering must be 0 or 1."));
+        return values::badInput(tr("The variable numbering must be 0 or 1."));
     profile.numbering = protocol::Numbering(numbering);
     profile.numberingVerified =
         QDateTime::fromString(json.value(QLatin1StringView(verifiedKey)).toString(), Qt::ISODate);
@@ -188,7 +188,7 @@ values::Result<Profile> profileFromJson(const QJsonObject &json)
     if (trouble.isEmpty())
         trouble = complaint(profile);
     if (!trouble.isEmpty())
-        return values::failure(ErrorKind::BadInput, trouble);
+        return values::badInput(trouble);
     return profile;
 }
 

@@ -36,10 +36,10 @@ Result<QJsonDocument> read(const QString &path)
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorKind::LocalFile, QStringLiteral("%1: %2").arg(path, file.errorString()));
     if (file.size() > largestFile)
-        return failure(ErrorKind::BadInput, QStringLiteral("%1 is too large").arg(path));
+        return values::badInput(QStringLiteral("%1 is too large").arg(path));
     const QJsonDocument json = QJsonDocument::fromJson(file.readAll());
     if (json.isNull())
-        return failure(ErrorKind::BadInput, QStringLiteral("%1 holds no JSON").arg(path));
+        return values::badInput(QStringLiteral("%1 holds no JSON").arg(path));
     return json;
 }
 

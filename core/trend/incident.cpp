@@ -43,7 +43,7 @@ Result<Moment> momentFrom(const QJsonObject &json, const char *key)
 {
     const auto moment = fromIso(json[s(key)].toString());
     if (!moment)
-        return failure(ErrorKind::BadInput, QStringLiteral("\"%1\" is no UTC time").arg(s(key)));
+        return values::badInput(QStringLiteral("\"%1\" is no UTC time").arg(s(key)));
     return *moment;
 }
 
@@ -51,7 +51,7 @@ Result<Sample> sampleFrom(const QJsonValue &json, Moment zero)
 {
     const QJsonArray pair = json.toArray();
     if (pair.size() != 2 || !pair[0].isDouble() || !(pair[1].isDouble() || pair[1].isNull()))
-        return failure(ErrorKind::BadInput, QStringLiteral("a sample is not [milliseconds, value]"));
+        return values::badInput(QStringLiteral("a sample is not [milliseconds, value]"));
     const Moment at = zero + std::chrono::milliseconds {pair[0].toInteger()};
     return pair[1].isNull() ? Sample::gap(at) : Sample {at, pair[1].toDouble()};
 }
@@ -61,7 +61,7 @@ Result<Track> trackFrom(const QJsonObject &json, const Signal &signal, Moment ze
     const QJsonArray samples = json[s("samples")].toArray();
     const auto unit = unitFromKey(json[s("unit")].toString());
     if (!unit)
-        return failure(ErrorKind::BadInput, QStringLiteral("%1 has no known unit").arg(key(signal)));
+        return values::badInput(QStringLiteral("%1 has no known unit").arg(key(signal)));
     Track track {
         signal, json[s("label")].toString(), *unit, Series {std::size_t(std::max<qsizetype>(samples.size(), 2))}};
     for (const QJsonValue &value : samples) {
@@ -69,7 +69,7 @@ Result<Track> trackFrom(const QJsonObject &json, const Signal &signal, Moment ze
         if (!sample)
             return tl::unexpected(sample.error());
         if (!track.series.isEmpty() && sample->at <= track.series.back().at)
-            return failure(ErrorKind::BadInput, QStringLiteral("%1 is not in the order of time").arg(key(signal)));
+            return values::badInput(QStringLiteral("%1 is not in the order of time").arg(key(signal)));
         track.series.append(sample->at, sample->value);
     }
     return track;
@@ -119,7 +119,7 @@ QJsonObject toJson(const Incident &incident)
 Result<Incident> incidentFromJson(const QJsonObject &json)
 {
     if (json[s("version")].toInt() != version)
-        return failure(ErrorKind::BadInput, QStringLiteral("not an incident of version %1").arg(version));
+        return values::badInput(QStringLiteral("not an incident of version %1").arg(version));
     const auto at = momentFrom(json, "at");
     const auto from = momentFrom(json, "from");
     const auto to = momentFrom(json, "to");
@@ -129,7 +129,7 @@ Result<Incident> incidentFromJson(const QJsonObject &json)
     }
     Incident incident {json[s("controller")].toString(), json[s("title")].toString(), *at, {*from, *to}, {}, {}};
     if (!incident.range.contains(*at))
-        return failure(ErrorKind::BadInput, QStringLiteral("the alarm lies outside the recording"));
+        return values::badInput(QStringLiteral("the alarm lies outside the recording"));
     if (const auto read = readNotes(json[s("notes")].toArray(), incident); !read)
         return tl::unexpected(read.error());
     if (const auto read = readTracks(json[s("tracks")].toArray(), incident); !read)

@@ -32,7 +32,7 @@ struct PendantText {
     static Result<PendantText> create(QByteArrayView bytes)
     {
         if (bytes.size() > maxBytes)
-            return failure(ErrorKind::BadInput, QStringLiteral("a pendant message has at most 30 bytes"));
+            return badInput(QStringLiteral("a pendant message has at most 30 bytes"));
         return PendantText {FixedText<32> {bytes}};
     }
     bool operator==(const PendantText &) const = default;

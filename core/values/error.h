@@ -37,4 +37,7 @@ inline tl::unexpected<Error> failure(ErrorKind kind, QString detail = {})
     return tl::unexpected(Error {kind, 0, 0, std::move(detail)});
 }
 
+/// What a person gave cannot be followed; `sentence` says why.
+inline tl::unexpected<Error> badInput(QString sentence) { return failure(ErrorKind::BadInput, std::move(sentence)); }
+
 } // namespace values

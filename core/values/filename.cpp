@@ -31,7 +31,7 @@ bool hasBackslash(QByteArrayView bytes)
 
 Result<FileName> FileName::create(QByteArrayView bytes)
 {
-    const auto bad = [](const char *why) { return failure(ErrorKind::BadInput, QString::fromLatin1(why)); };
+    const auto bad = [](const char *why) { return badInput(QString::fromLatin1(why)); };
     const qsizetype dot = dotIn(bytes);
     if (bytes.isEmpty() || dot == 0)
         return bad("a file name must not be empty or begin with a dot");

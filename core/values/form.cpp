@@ -37,7 +37,7 @@ Result<quint32> bitOf(const QString &word, std::span<const FormBit> table)
         if (word == QLatin1StringView(table[bit].off))
             return 0U;
     }
-    return failure(ErrorKind::BadInput, QStringLiteral("\"%1\" is not a form").arg(word));
+    return badInput(QStringLiteral("\"%1\" is not a form").arg(word));
 }
 
 } // namespace

@@ -88,7 +88,7 @@ private:
             m_rest = m_rest.sliced(1);
             const qsizetype end = m_rest.indexOf(quote);
             if (end < 0)
-                return failure(ErrorKind::BadInput,
+                return values::badInput(
                     Sentences::tr("Line %1: a cell begins with a quotation mark and does not end with one.")
                         .arg(firstLine));
             const QString part = take(end);
@@ -99,7 +99,7 @@ private:
                 cell += quote;
         } while (m_rest.startsWith(quote));
         if (!m_rest.isEmpty() && !isEndOfCell(m_rest.front()))
-            return failure(ErrorKind::BadInput,
+            return values::badInput(
                 Sentences::tr("Line %1: there is text behind the quotation mark that ends a cell.").arg(m_line));
         return cell;
     }
@@ -122,8 +122,7 @@ Result<QString> textOfFile(QByteArrayView bytes)
     QStringDecoder decoder {marked.value_or(QStringConverter::Utf8)};
     QString text = decoder.decode(bytes);
     if (decoder.hasError())
-        return failure(
-            ErrorKind::BadInput, Sentences::tr("The file is not UTF-8: save it as “CSV UTF-8” and try again."));
+        return values::badInput(Sentences::tr("The file is not UTF-8: save it as “CSV UTF-8” and try again."));
     return text;
 }
 

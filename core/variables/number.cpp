@@ -16,16 +16,14 @@ namespace variables {
 
 namespace {
 
-tl::unexpected<values::Error> refuse(const QString &sentence) { return failure(ErrorKind::BadInput, sentence); }
-
 tl::unexpected<values::Error> noNumber(QStringView typed)
 {
-    return refuse(Sentences::tr("“%1” is not a number.").arg(typed.trimmed()));
+    return values::badInput(Sentences::tr("“%1” is not a number.").arg(typed.trimmed()));
 }
 
 tl::unexpected<values::Error> outOfRange(QStringView typed, qint64 least, qint64 most)
 {
-    return refuse(
+    return values::badInput(
         Sentences::tr("%1 is out of range: it must be from %2 to %3.").arg(typed.trimmed()).arg(least).arg(most));
 }
 
@@ -55,8 +53,9 @@ Result<qint64> wholeNumber(QStringView typed, qint64 least, qint64 most)
     const auto match = form.match(values::plainText(typed));
     if (!match.hasMatch()) {
         if (!decimal(typed).isEmpty())
-            return refuse(Sentences::tr("“%1” is not a whole number: write it without decimals and separators.")
-                              .arg(typed.trimmed()));
+            return values::badInput(
+                Sentences::tr("“%1” is not a whole number: write it without decimals and separators.")
+                    .arg(typed.trimmed()));
         return noNumber(typed);
     }
     const int group = match.capturedLength(2) ? 2 : match.capturedLength(3) ? 3 : 4;
@@ -104,7 +103,7 @@ Result<float> real(QStringView typed)
     float value = 0;
     if (std::from_chars(text.begin(), text.end(), value).ec == std::errc {})
         return value;
-    return refuse(
+    return values::badInput(
         Sentences::tr("%1 does not go into a real: that is 0, or from ±1.18e-38 to ±3.40e+38.").arg(typed.trimmed()));
 }
 
@@ -129,8 +128,8 @@ Result<qint32> fixedPoint(QStringView typed, int decimals)
         fraction.chop(1);
     if (fraction.size() > decimals) {
         if (decimals == 0)
-            return refuse(Sentences::tr("“%1” is not a whole number.").arg(typed.trimmed()));
-        return refuse(
+            return values::badInput(Sentences::tr("“%1” is not a whole number.").arg(typed.trimmed()));
+        return values::badInput(
             Sentences::tr("“%1” is too fine: %n decimal(s) are kept.", nullptr, decimals).arg(typed.trimmed()));
     }
     whole += fraction.leftJustified(decimals, u'0');
@@ -139,9 +138,9 @@ Result<qint32> fixedPoint(QStringView typed, int decimals)
     if (fits)
         return value;
     const auto limit = [decimals](qint32 bound) { return toText(bound, decimals, QLocale::c()); };
-    return refuse(Sentences::tr("%1 is out of range: it must be from %2 to %3.")
-                      .arg(typed.trimmed(), limit(std::numeric_limits<qint32>::min()),
-                          limit(std::numeric_limits<qint32>::max())));
+    return values::badInput(Sentences::tr("%1 is out of range: it must be from %2 to %3.")
+                                .arg(typed.trimmed(), limit(std::numeric_limits<qint32>::min()),
+                                    limit(std::numeric_limits<qint32>::max())));
 }
 
 QString toText(qint32 value, int decimals, const QLocale &locale)

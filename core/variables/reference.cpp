@@ -17,7 +17,7 @@ constexpr std::array<const char *, allKinds.size()> kindLetters {"B", "I", "D", 
 
 tl::unexpected<values::Error> notAReference(QStringView text)
 {
-    return failure(ErrorKind::BadInput,
+    return values::badInput(
         Sentences::tr("“%1” is not a variable. Write its letter and its number, such as B007.").arg(text.trimmed()));
 }
 
@@ -47,7 +47,7 @@ Result<Reference> existing(const Reference &reference, const protocol::Dialect &
     const int last = countOf(reference.kind, dialect) - 1;
     if (reference.number <= last)
         return reference;
-    return failure(ErrorKind::BadInput,
+    return values::badInput(
         Sentences::tr("There is no %1: this controller has %2 to %3.")
             .arg(toString(reference), toString({reference.kind, 0}), toString({reference.kind, last})));
 }
@@ -105,7 +105,7 @@ Result<Range> rangeFromText(QStringView text, const protocol::Dialect &dialect)
     if (!first || !last)
         return notAReference(text);
     if (first->kind != last->kind || first->number > last->number)
-        return failure(ErrorKind::BadInput,
+        return values::badInput(
             Sentences::tr("“%1” is not a range: it must go from a lower to a higher number of one kind.")
                 .arg(text.trimmed()));
     return existing(*last, dialect).map([&](const Reference &) {

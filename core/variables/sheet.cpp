@@ -41,7 +41,7 @@ struct Part {
     quint32 Position::*member;
     quint32 most;
 };
-constexpr std::array parts {
+constexpr std::array positionParts {
     Part {"tool", &Position::tool, 63},
     Part {"frame", &Position::userFrame, 63},
     Part {"form", &Position::form, 0xFF},
@@ -73,7 +73,7 @@ Result<void> takeType(Position &position, Kind kind, const QString &cell)
     const auto found =
         std::ranges::find_if(typeWords, [&](const TypeWord &row) { return word == QLatin1StringView(row.word); });
     if (found == typeWords.end() || !positionTypes(kind).contains(found->type))
-        return failure(ErrorKind::BadInput, Sentences::tr("“%1” is not a type that %2 has.").arg(cell, letters(kind)));
+        return values::badInput(Sentences::tr("“%1” is not a type that %2 has.").arg(cell, letters(kind)));
     if (position.type != found->type)
         position.axes = {}; // words of another unit mean nothing now
     position.axes.resize(values::maxAxes);
@@ -83,13 +83,13 @@ Result<void> takeType(Position &position, Kind kind, const QString &cell)
 
 Result<void> takeParts(Position &position, const Row &row)
 {
-    for (const auto &[column, member, most] : parts) {
+    for (const auto &[column, member, most] : positionParts) {
         const QString cell = row[QString::fromLatin1(column)];
         if (cell.isEmpty())
             continue;
         const auto number = wholeNumber(cell, 0, most);
         if (!number)
-            return failure(ErrorKind::BadInput,
+            return values::badInput(
                 Sentences::tr("%1: %2", "column: reason").arg(QLatin1StringView(column), number.error().detail));
         position.*member = quint32(*number);
     }
@@ -104,7 +104,7 @@ Result<void> takeAxes(Position &position, const Row &row)
             continue;
         const auto word = axisFromText(cell, axisUnit(position.type, axis));
         if (!word)
-            return failure(ErrorKind::BadInput,
+            return values::badInput(
                 Sentences::tr("%1: %2", "column: reason").arg(axisColumn(axis), word.error().detail));
         position.axes[axis] = *word;
     }
@@ -116,7 +116,7 @@ Result<void> checkAxesGiven(Kind kind, const Row &row)
 {
     for (int axis = 0; axis < usualAxes(kind); ++axis) {
         if (row[axisColumn(axis)].isEmpty())
-            return failure(ErrorKind::BadInput,
+            return values::badInput(
                 Sentences::tr("%1 is missing, and no value of this type was read.").arg(axisColumn(axis)));
     }
     return {};
@@ -129,7 +129,7 @@ Result<Value> positionFrom(Kind kind, const Row &row, const std::optional<Value>
     const PositionType before = position.type;
     const QString type = row[typeColumn];
     if (type.isEmpty() && !now)
-        return failure(ErrorKind::BadInput, Sentences::tr("The type is missing, and none was read."));
+        return values::badInput(Sentences::tr("The type is missing, and none was read."));
     Result<void> taken {};
     if (!type.isEmpty())
         taken = takeType(position, kind, type);
@@ -177,7 +177,7 @@ private:
     [[nodiscard]] Result<Value> simple(Kind kind, const QString &cell) const
     {
         if (cell.trimmed().isEmpty() && kind != Kind::S)
-            return failure(ErrorKind::BadInput, Sentences::tr("The value is missing."));
+            return values::badInput(Sentences::tr("The value is missing."));
         return fromText(kind, cell, m_format);
     }
 
@@ -258,10 +258,10 @@ QStringList positionCells(const ExportRow &row)
 {
     const auto position = row.value ? positionOf(*row.value) : std::nullopt;
     if (!position)
-        return QStringList(1 + qsizetype(parts.size()) + values::maxAxes);
+        return QStringList(1 + qsizetype(positionParts.size()) + values::maxAxes);
     const auto type = std::ranges::find(typeWords, position->type, &TypeWord::type);
     QStringList cells {type == typeWords.end() ? QString() : QString::fromLatin1(type->word)};
-    for (const Part &part : parts)
+    for (const Part &part : positionParts)
         cells << (row.variable.kind == Kind::P ? QString::number((*position).*part.member) : QString());
     for (int axis = 0; axis < values::maxAxes; ++axis)
         cells << axisText(position->axes[axis], axisUnit(position->type, axis), QLocale::c());
@@ -271,7 +271,7 @@ QStringList positionCells(const ExportRow &row)
 QStringList positionHeader()
 {
     QStringList cells {typeColumn};
-    for (const Part &part : parts)
+    for (const Part &part : positionParts)
         cells << QString::fromLatin1(part.column);
     for (int axis = 0; axis < values::maxAxes; ++axis)
         cells << axisColumn(axis);

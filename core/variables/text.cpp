@@ -44,11 +44,11 @@ Result<Value> string(QStringView typed, const Format &format)
 {
     const auto bytes = format.codec.encode(typed);
     if (!bytes)
-        return failure(ErrorKind::BadInput, Sentences::tr("The text cannot be sent: %1.").arg(bytes.error().detail));
+        return values::badInput(Sentences::tr("The text cannot be sent: %1.").arg(bytes.error().detail));
     if (bytes->contains('\0'))
-        return failure(ErrorKind::BadInput, Sentences::tr("The text must not hold the character NUL, which ends it."));
+        return values::badInput(Sentences::tr("The text must not hold the character NUL, which ends it."));
     if (bytes->size() > format.stringSize)
-        return failure(ErrorKind::BadInput,
+        return values::badInput(
             Sentences::tr("The text takes %1 bytes; there is room for %2.").arg(bytes->size()).arg(format.stringSize));
     return values::StringVariable32 {values::FixedText<32> {*bytes}};
 }
@@ -99,7 +99,7 @@ Result<Value> fromText(Kind kind, QStringView typed, const Format &format)
     case Kind::BP:
     case Kind::EX: break;
     }
-    return failure(ErrorKind::BadInput, Sentences::tr("A position is not written as one text."));
+    return values::badInput(Sentences::tr("A position is not written as one text."));
 }
 
 QString rangeText(Kind kind, const Format &format)

@@ -14,7 +14,7 @@ using values::Result;
 
 tl::unexpected<values::Error> wrong(const QString &word, QLatin1StringView what)
 {
-    return values::failure(values::ErrorKind::BadInput, QStringLiteral("\"%1\" is not %2.").arg(word, what));
+    return values::badInput(QStringLiteral("\"%1\" is not %2.").arg(word, what));
 }
 
 std::optional<FaultKind> kindOf(const QString &word)

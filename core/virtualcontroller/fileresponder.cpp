@@ -23,8 +23,6 @@ enum Refusal : quint16 {
     Busy = 0xE444,
     NoMemory = 0x4010,
     NoData = 0xE49D,
-    WrongBlock = 0xE4A1,
-    WrongAck = 0xE4A2,
     ModeChanged = 0xFFFE,
 };
 

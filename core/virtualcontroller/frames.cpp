@@ -9,17 +9,6 @@ namespace virtualcontroller {
 
 namespace {
 
-// Reference §1.7.
-enum FrameCode : quint16 {
-    TooLarge = 0xE49E,
-    WrongBlock = 0xE4A1,
-    WrongAck = 0xE4A2,
-    WrongDivision = 0xE4A3,
-    WrongHeaderSize = 0xE4A5,
-    WrongIdentifier = 0xE4A6,
-    WrongPayloadSize = 0xE4A7,
-};
-
 quint16 codeOf(FrameFault fault)
 {
     switch (fault) {

@@ -7,6 +7,17 @@
 /// Frames as the controller judges and makes them (reference §1.4, §1.5, §1.7).
 namespace virtualcontroller {
 
+/// Why a packet is refused before its service is looked at (reference §1.7).
+enum FrameCode : quint16 {
+    TooLarge = 0xE49E,
+    WrongBlock = 0xE4A1,
+    WrongAck = 0xE4A2,
+    WrongDivision = 0xE4A3,
+    WrongHeaderSize = 0xE4A5,
+    WrongIdentifier = 0xE4A6,
+    WrongPayloadSize = 0xE4A7,
+};
+
 /// What becomes of a datagram before anybody looks at what it asks for.
 struct FrameVerdict {
     bool isDropped = false; ///< Nothing is answered.

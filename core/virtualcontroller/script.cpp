@@ -102,8 +102,7 @@ const std::map<QString, Maker> &makers()
 
 tl::unexpected<values::Error> wrong(qsizetype index, const QString &what)
 {
-    return values::failure(
-        values::ErrorKind::BadInput, QStringLiteral("Event %1 of the script: %2.").arg(index + 1).arg(what));
+    return values::badInput(QStringLiteral("Event %1 of the script: %2.").arg(index + 1).arg(what));
 }
 
 values::Result<Script::Event> parseEvent(qsizetype index, const QJsonObject &object)
@@ -133,7 +132,7 @@ values::Result<Script> Script::parse(const QByteArray &json)
     QJsonParseError fault;
     const QJsonDocument document = QJsonDocument::fromJson(json, &fault);
     if (!document.isArray())
-        return values::failure(values::ErrorKind::BadInput,
+        return values::badInput(
             QStringLiteral("The script is not a JSON array of events: %1.").arg(fault.errorString()));
     std::vector<Event> events;
     const QJsonArray array = document.array();

@@ -328,13 +328,12 @@ values::Result<void> applyState(const QByteArray &json, Memory &memory)
     QJsonParseError fault;
     const QJsonDocument document = QJsonDocument::fromJson(json, &fault);
     if (!document.isObject())
-        return values::failure(values::ErrorKind::BadInput,
-            QStringLiteral("The state is not a JSON object: %1.").arg(fault.errorString()));
+        return values::badInput(QStringLiteral("The state is not a JSON object: %1.").arg(fault.errorString()));
     QString complaint;
     Memory changed = memory;
     take(StateValue {document.object(), {}, complaint}, changed, sections);
     if (!complaint.isEmpty())
-        return values::failure(values::ErrorKind::BadInput, complaint);
+        return values::badInput(complaint);
     memory = std::move(changed);
     return {};
 }

@@ -235,13 +235,11 @@ Result<Position> PositionDialog::position() const
     for (int axis = 0; axis < values::maxAxes; ++axis) {
         const auto word = variables::axisFromText(m_axes[axis]->text(), axisUnit(result.type, axis));
         if (!word)
-            return values::failure(values::ErrorKind::BadInput,
-                tr("%1: %2", "axis: reason").arg(m_names[axis]->text(), word.error().detail));
+            return values::badInput(tr("%1: %2", "axis: reason").arg(m_names[axis]->text(), word.error().detail));
         result.axes[axis] = *word;
     }
     if (result.type == PositionType::User && result.userFrame == 0)
-        return values::failure(
-            values::ErrorKind::BadInput, tr("A user-frame position needs a user frame from 1 to 63."));
+        return values::badInput(tr("A user-frame position needs a user frame from 1 to 63."));
     return result;
 }
 

@@ -14,7 +14,7 @@ using robot::Kind;
 
 namespace {
 
-constexpr const char *titles[] {
+constexpr const char *activeTitles[] {
     QT_TRANSLATE_NOOP("models::ActiveAlarmModel", "State"),
     QT_TRANSLATE_NOOP("models::ActiveAlarmModel", "Code"),
     QT_TRANSLATE_NOOP("models::ActiveAlarmModel", "Sub code"),
@@ -23,7 +23,7 @@ constexpr const char *titles[] {
     QT_TRANSLATE_NOOP("models::ActiveAlarmModel", "First seen"),
     QT_TRANSLATE_NOOP("models::ActiveAlarmModel", "Times"),
 };
-static_assert(std::size(titles) == ActiveAlarmModel::columns);
+static_assert(std::size(activeTitles) == ActiveAlarmModel::columns);
 
 bool isNumber(int column) { return column == ActiveAlarmModel::Code || column == ActiveAlarmModel::Count; }
 
@@ -94,7 +94,7 @@ int ActiveAlarmModel::columnCount(const QModelIndex &parent) const { return pare
 QVariant ActiveAlarmModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation == Qt::Horizontal && role == Qt::DisplayRole)
-        return tr(titles[section]);
+        return tr(activeTitles[section]);
     if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && isNumber(section))
         return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};

@@ -10,7 +10,7 @@ using journal::AlarmRecord;
 
 namespace {
 
-constexpr const char *titles[] {
+constexpr const char *historyTitles[] {
     QT_TRANSLATE_NOOP("models::AlarmHistoryModel", "Controller time"),
     QT_TRANSLATE_NOOP("models::AlarmHistoryModel", "List"),
     QT_TRANSLATE_NOOP("models::AlarmHistoryModel", "Code"),
@@ -18,7 +18,7 @@ constexpr const char *titles[] {
     QT_TRANSLATE_NOOP("models::AlarmHistoryModel", "Text"),
     QT_TRANSLATE_NOOP("models::AlarmHistoryModel", "Read here"),
 };
-static_assert(std::size(titles) == AlarmHistoryModel::columns);
+static_assert(std::size(historyTitles) == AlarmHistoryModel::columns);
 
 } // namespace
 
@@ -37,7 +37,7 @@ int AlarmHistoryModel::columnCount(const QModelIndex &parent) const { return par
 QVariant AlarmHistoryModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation == Qt::Horizontal && role == Qt::DisplayRole)
-        return tr(titles[section]);
+        return tr(historyTitles[section]);
     if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section == Code)
         return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};

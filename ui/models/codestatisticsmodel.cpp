@@ -13,14 +13,14 @@ namespace models {
 
 namespace {
 
-constexpr const char *titles[] {
+constexpr const char *statisticsTitles[] {
     QT_TRANSLATE_NOOP("models::CodeStatisticsModel", "Code"),
     QT_TRANSLATE_NOOP("models::CodeStatisticsModel", "Name"),
     QT_TRANSLATE_NOOP("models::CodeStatisticsModel", "Times"),
     QT_TRANSLATE_NOOP("models::CodeStatisticsModel", "Mean time between"),
     QT_TRANSLATE_NOOP("models::CodeStatisticsModel", "Last, controller time"),
 };
-static_assert(std::size(titles) == CodeStatisticsModel::columns);
+static_assert(std::size(statisticsTitles) == CodeStatisticsModel::columns);
 
 int alignment(int column)
 {
@@ -76,7 +76,7 @@ QVariant CodeStatisticsModel::headerData(int section, Qt::Orientation orientatio
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::DisplayRole)
-        return tr(titles[section]);
+        return tr(statisticsTitles[section]);
     return role == Qt::TextAlignmentRole ? QVariant(alignment(section)) : QVariant();
 }
 

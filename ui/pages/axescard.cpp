@@ -16,9 +16,9 @@ using widgets::Word;
 
 namespace {
 
-enum Column { Pulses, Degrees, Error, Torque, Temperature, Lowest, Highest };
+enum AxisColumn { Pulses, Degrees, Following, Torque, Temperature, Lowest, Highest };
 
-QList<widgets::ValueColumn> columns()
+QList<widgets::ValueColumn> axisColumns()
 {
     const QString pulses = ui::pulses(-8888888);
     const auto quiet = ui::Role::Text2;
@@ -33,10 +33,10 @@ QList<widgets::ValueColumn> columns()
 }
 
 struct PlottedColumn {
-    Column column;
+    AxisColumn column;
     Kind kind;
 };
-constexpr PlottedColumn plotted[] {{Pulses, Kind::Position}, {Error, Kind::FollowingError}, {Torque, Kind::Torque},
+constexpr PlottedColumn plotted[] {{Pulses, Kind::Position}, {Following, Kind::FollowingError}, {Torque, Kind::Torque},
     {Temperature, Kind::EncoderTemperatures}};
 
 QString word(const values::AxisWords &axes, int axis)
@@ -50,7 +50,7 @@ AxesCard::AxesCard(const robot::RobotState &state, const settings::Profile &prof
     : GroupCard(tr("Axes"), state, parent),
       m_profile {profile},
       m_hasTemperatures {profile.dialect().hasTemperatures},
-      m_grid {new widgets::ValueGrid(columns(), values::maxAxes)},
+      m_grid {new widgets::ValueGrid(axisColumns(), values::maxAxes)},
       m_converters {widgets::sentence({}, ui::Role::Text2)}
 {
     m_grid->setColumnVisible(Temperature, m_hasTemperatures);
@@ -125,7 +125,7 @@ void AxesCard::showPosition()
 void AxesCard::showErrors()
 {
     showColumn<Kind::FollowingError>(
-        Error, [](const values::FollowingError &e, int axis) { return word(e.axes, axis); });
+        Following, [](const values::FollowingError &e, int axis) { return word(e.axes, axis); });
     showReason();
 }
 

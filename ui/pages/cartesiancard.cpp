@@ -14,10 +14,10 @@ using robot::Kind;
 
 namespace {
 
-enum Column { Value, Lowest, Highest };
+enum CartesianColumn { CartesianNow, CartesianLowest, CartesianHighest };
 enum FormRow { Form, ExtendedForm };
 
-QList<widgets::ValueColumn> columns()
+QList<widgets::ValueColumn> cartesianColumns()
 {
     const QString reserve = ui::millimetres(-8888888);
     return {{QStringLiteral("cartesian"), CartesianCard::tr("now"), reserve, ui::Type::Position},
@@ -29,7 +29,7 @@ QList<widgets::ValueColumn> columns()
 
 CartesianCard::CartesianCard(const robot::RobotState &state, QWidget *parent)
     : GroupCard(tr("Tool point"), state, parent),
-      m_grid {new widgets::ValueGrid(columns(), values::maxAxes)},
+      m_grid {new widgets::ValueGrid(cartesianColumns(), values::maxAxes)},
       m_form {new widgets::Rows(Qt::AlignLeft)}
 {
     m_form->add(QStringLiteral("form"), tr("Form"));
@@ -53,7 +53,7 @@ void CartesianCard::showAll()
 {
     nameRows(*m_grid, true);
     for (int axis = 0; axis < values::maxAxes; ++axis)
-        widgets::setSignal(m_grid->value(axis, Value), trend::Signal {positionTopic(), quint16(axis)});
+        widgets::setSignal(m_grid->value(axis, CartesianNow), trend::Signal {positionTopic(), quint16(axis)});
     showPosition();
 }
 
@@ -61,12 +61,12 @@ void CartesianCard::showPosition()
 {
     const auto freshness = m_state.freshness(positionTopic());
     for (int axis = 0; axis < values::maxAxes; ++axis) {
-        m_grid->show(axis, Value, widgets::shown(position(), freshness, [axis](const values::Position &p) {
+        m_grid->show(axis, CartesianNow, widgets::shown(position(), freshness, [axis](const values::Position &p) {
             return widgets::Word {axis < p.axes.count() ? ui::axisText(p.type, axis, p.axes[axis]) : widgets::dash()};
         }));
     }
     m_grid->setRowCount(axisCount());
-    showExtremes(*m_grid, Lowest);
+    showExtremes(*m_grid, CartesianLowest);
     showForm();
     const QString name = values::toString(group());
     setNote(position().value ? tr("%1 · base frame, tool %2").arg(name).arg(position().value->tool)
@@ -74,7 +74,7 @@ void CartesianCard::showPosition()
     if (positionInstance() == 0)
         setReason(tr("%1 has no tool point: HSES tells it of robots only.").arg(name));
     else
-        setReason(freshness == robot::Freshness::Refused ? m_grid->value(0, Value)->shown().note : QString());
+        setReason(freshness == robot::Freshness::Refused ? m_grid->value(0, CartesianNow)->shown().note : QString());
 }
 
 void CartesianCard::showForm()

@@ -48,9 +48,9 @@ QComboBox *choice(const char *name, const QString &title, const QString &all)
 }
 
 /// Puts names in that are not there yet; what is chosen stays chosen.
-void addNames(QComboBox *box, const QStringList &names, QString (*title)(const QString &))
+void addNames(QComboBox *box, const QStringList &wanted, QString (*title)(const QString &))
 {
-    for (const QString &name : names) {
+    for (const QString &name : wanted) {
         if (!name.isEmpty() && box->findData(name) < 0)
             box->addItem(title(name), name);
     }

@@ -16,7 +16,7 @@ using session::Counters;
 
 enum Row { RoundTrip, Lost, Requests, LastAnswer, Sent, Unusual };
 
-QString number(quint64 value) { return QLocale().toString(value); }
+QString counted(quint64 value) { return QLocale().toString(value); }
 
 /// What a good link has none of.
 QString unusual(const Counters &counters)
@@ -38,7 +38,7 @@ QString unusual(const Counters &counters)
     QStringList words;
     for (const Item &item : items) {
         if (item.count > 0)
-            words << LinkCard::tr(item.text).arg(number(item.count));
+            words << LinkCard::tr(item.text).arg(counted(item.count));
     }
     return words.isEmpty() ? LinkCard::tr("nothing") : words.join(QStringLiteral(" · "));
 }
@@ -71,11 +71,11 @@ void LinkCard::showStatistics(const session::LinkStatistics &statistics)
         RoundTrip, tr("%1 / %2").arg(ui::roundTripText(statistics.p50), ui::roundTripText(statistics.p95)));
     m_rows->showText(Lost, ui::percent(statistics.loss));
     m_rows->showText(
-        Requests, tr("%1 /s of %2").arg(number(quint64(statistics.requestsPerSecond)), number(quint64(m_ceiling))));
+        Requests, tr("%1 /s of %2").arg(counted(quint64(statistics.requestsPerSecond)), counted(quint64(m_ceiling))));
     m_rows->showText(LastAnswer,
         statistics.lastAnswerAge ? tr("%1 ago").arg(ui::ageText(statistics.lastAnswerAge)) : widgets::dash());
     m_rows->showText(
-        Sent, tr("%1 / %2").arg(number(statistics.counters.requests), number(statistics.counters.answers)));
+        Sent, tr("%1 / %2").arg(counted(statistics.counters.requests), counted(statistics.counters.answers)));
     m_rows->showText(Unusual, unusual(statistics.counters));
 }
 

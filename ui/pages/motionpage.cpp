@@ -26,10 +26,10 @@ namespace {
 using widgets::Place;
 
 // Readiness, Jog, Tool point, Move
-constexpr Place wide[] {{0, 0, 2, 1}, {0, 1}, {0, 2}, {1, 1, 1, 2}};
-constexpr Place middle[] {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
-constexpr Place narrow[] {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
-constexpr widgets::Arrangement arrangements[] {{3, wide}, {2, middle}, {1, narrow}};
+constexpr Place motionWide[] {{0, 0, 2, 1}, {0, 1}, {0, 2}, {1, 1, 1, 2}};
+constexpr Place motionMiddle[] {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+constexpr Place motionNarrow[] {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+constexpr widgets::Arrangement motionBoards[] {{3, motionWide}, {2, motionMiddle}, {1, motionNarrow}};
 
 } // namespace
 
@@ -43,7 +43,7 @@ MotionPage::MotionPage(const Context &context, QWidget *parent)
       m_jogCard {new JogCard(context, *m_jog)},
       m_move {new MoveCard(context, m_jog->limits())}
 {
-    auto *board = new widgets::Board(arrangements);
+    auto *board = new widgets::Board(motionBoards);
     board->setObjectName(QStringLiteral("motionBoard"));
     board->add(readiness(context));
     for (QWidget *card : QWidgetList {m_jogCard, m_cartesian, m_move})

@@ -17,17 +17,17 @@ namespace {
 using widgets::Place;
 
 // State, Position, Options, Job, Link, System
-constexpr Place wide[] {{0, 0}, {0, 1}, {0, 2}, {1, 0, 1, 2}, {1, 2, 2, 1}, {2, 0, 1, 2}};
-constexpr Place medium[] {{0, 0}, {0, 1}, {3, 1}, {1, 0, 1, 2}, {2, 0, 2, 1}, {2, 1}};
-constexpr Place narrow[] {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
-constexpr widgets::Arrangement arrangements[] {{3, wide}, {2, medium}, {1, narrow}};
+constexpr Place overviewWide[] {{0, 0}, {0, 1}, {0, 2}, {1, 0, 1, 2}, {1, 2, 2, 1}, {2, 0, 1, 2}};
+constexpr Place overviewMiddle[] {{0, 0}, {0, 1}, {3, 1}, {1, 0, 1, 2}, {2, 0, 2, 1}, {2, 1}};
+constexpr Place overviewNarrow[] {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
+constexpr widgets::Arrangement overviewBoards[] {{3, overviewWide}, {2, overviewMiddle}, {1, overviewNarrow}};
 
 } // namespace
 
 OverviewPage::OverviewPage(const Context &context, QWidget *parent)
     : Page(context, parent), m_linkCard {new LinkCard(context.profile)}, m_optionsCard {new OptionsCard(context.orders)}
 {
-    auto *board = new widgets::Board(arrangements);
+    auto *board = new widgets::Board(overviewBoards);
     board->add(new StateCard(context.state));
     board->add(new PositionCard(context.state));
     board->add(m_optionsCard);

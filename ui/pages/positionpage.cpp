@@ -24,9 +24,9 @@ namespace {
 using widgets::Place;
 
 // Tool point, Axes, Path
-constexpr Place wide[] {{0, 0}, {0, 1}, {1, 0, 1, 2}};
-constexpr Place narrow[] {{0, 0}, {1, 0}, {2, 0}};
-constexpr widgets::Arrangement arrangements[] {{2, wide}, {1, narrow}};
+constexpr Place positionWide[] {{0, 0}, {0, 1}, {1, 0, 1, 2}};
+constexpr Place positionNarrow[] {{0, 0}, {1, 0}, {2, 0}};
+constexpr widgets::Arrangement positionBoards[] {{2, positionWide}, {1, positionNarrow}};
 
 QPushButton *button(const QString &name, const QString &words)
 {
@@ -47,7 +47,7 @@ PositionPage::PositionPage(const Context &context, QWidget *parent)
       m_axes {new AxesCard(context.state, context.profile)},
       m_path {new ToolPathCard(context.state)}
 {
-    auto *board = new widgets::Board(arrangements);
+    auto *board = new widgets::Board(positionBoards);
     board->setObjectName(QStringLiteral("positionBoard"));
     board->add(m_cartesian);
     board->add(m_axes);

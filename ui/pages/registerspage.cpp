@@ -7,15 +7,12 @@
 
 namespace pages {
 
-using variables::Base;
-using variables::Kind;
-
 variables::Format formatOf(const settings::Profile &profile)
 {
-    return {QLocale(), protocol::TextCodec {profile.encoding}, profile.dialect().stringSize, Base::Decimal};
+    return {QLocale(), protocol::TextCodec {profile.encoding}, profile.dialect().stringSize, variables::Base::Decimal};
 }
 
-QList<variables::Reference> allOf(Kind kind, const protocol::Dialect &dialect)
+QList<variables::Reference> allOf(variables::Kind kind, const protocol::Dialect &dialect)
 {
     QList<variables::Reference> result;
     for (int number = 0; number < countOf(kind, dialect); ++number)
@@ -40,7 +37,7 @@ RegistersPage::RegistersPage(const Context &context, QWidget *parent)
       m_history {context.state},
       m_edits {context.orders, m_format},
       m_desk {context.state, m_history, m_edits, context.names, m_format, context.profile.dialect()},
-      m_model {new models::VariableModel(m_desk, allOf(Kind::M, m_desk.dialect), this)},
+      m_model {new models::VariableModel(m_desk, allOf(variables::Kind::M, m_desk.dialect), this)},
       m_sheet {new VariableSheet(context, m_desk, robot::Act::WriteRegister)}
 {
     auto *base = new QComboBox;
@@ -52,11 +49,11 @@ RegistersPage::RegistersPage(const Context &context, QWidget *parent)
     m_sheet->setNote(tr("M000 to M559 can be written; the others belong to the ladder."));
     m_sheet->show(m_model);
     setContent(sheetCard(m_sheet));
-    connect(base, &QComboBox::currentIndexChanged, this, [this](int row) { choose(Base(row)); });
+    connect(base, &QComboBox::currentIndexChanged, this, [this](int row) { choose(variables::Base(row)); });
     connect(m_sheet, &VariableSheet::topicsChanged, this, &Page::topicsChanged);
 }
 
-void RegistersPage::choose(Base base)
+void RegistersPage::choose(variables::Base base)
 {
     m_format.registerBase = base;
     m_model->formatChanged();

@@ -16,7 +16,7 @@ using widgets::ToolPathView;
 
 namespace {
 
-constexpr auto pace = 200ms;
+constexpr auto pathPace = 200ms;
 
 quint16 cartesian(values::ControlGroup group)
 {
@@ -76,7 +76,7 @@ void ToolPathCard::onChanged(const robot::TopicRange &range)
             path.breakOff();
     }
     if (range.contains({Kind::Position, cartesian(m_group)}) && !m_pace.isActive())
-        m_pace.start(pace);
+        m_pace.start(pathPace);
 }
 
 void ToolPathCard::showPath()

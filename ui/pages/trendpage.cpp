@@ -29,7 +29,7 @@ using trend::Track;
 
 namespace {
 
-constexpr auto pace = 250ms;
+constexpr auto trendPace = 250ms;
 constexpr int rowHeight = 26;
 
 constexpr std::chrono::seconds spans[] {30s, 60s, 300s, 900s, 3600s};
@@ -214,7 +214,7 @@ void TrendPage::follow()
     connect(
         m_plot, &widgets::Plot::cursorChanged, this, [this] { m_model->refresh(m_plot->range(), m_plot->cursor()); });
     connect(&m_pace, &QTimer::timeout, this, &TrendPage::refresh);
-    m_pace.setInterval(pace);
+    m_pace.setInterval(trendPace);
 }
 
 /// The axes' names are wanted too: labels are made of them.

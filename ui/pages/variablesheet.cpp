@@ -24,7 +24,7 @@ namespace {
 
 constexpr int noteDrop = 5; ///< The words of the note stand beside those of the buttons.
 
-QPushButton *button(const char *name, const QString &words)
+QPushButton *sheetButton(const char *name, const QString &words)
 {
     auto *result = new QPushButton(words);
     result->setObjectName(QLatin1String(name));
@@ -45,8 +45,8 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
       m_sentence {widgets::text({}, ui::Type::Body, ui::Role::Amber)},
       m_note {widgets::sentence({}, ui::Role::Text2)},
       m_apply {new widgets::OrderButton(context.orders, act, widgets::OrderButton::Reason::Below)},
-      m_discard {button("discardButton", tr("Discard"))},
-      m_undo {button("undoButton", tr("Undo last"))},
+      m_discard {sheetButton("discardButton", tr("Discard"))},
+      m_undo {sheetButton("undoButton", tr("Undo last"))},
       m_transfer {new VariableTransfer(m_desk, m_orders, this)}
 {
     const auto check = [this](
@@ -105,8 +105,8 @@ void VariableSheet::makeHead()
 
 void VariableSheet::makeFoot(const Context &, robot::Act)
 {
-    auto *importButton = button("importButton", tr("Import…"));
-    auto *exportButton = button("exportButton", tr("Export…"));
+    auto *importButton = sheetButton("importButton", tr("Import…"));
+    auto *exportButton = sheetButton("exportButton", tr("Export…"));
     m_apply->button()->setProperty("primary", true);
     m_foot->setSpacing(10);
     for (QWidget *widget :

@@ -13,7 +13,6 @@
 
 namespace pages {
 
-using variables::Kind;
 using variables::Reference;
 
 namespace {
@@ -45,8 +44,8 @@ VariablesPage::VariablesPage(const Context &context, QWidget *parent)
     m_bar->setContextMenuPolicy(Qt::CustomContextMenu);
     m_test->setObjectName(QStringLiteral("numberingButton"));
     m_test->setToolTip(tr("Compares two variables with the pendant. It only reads."));
-    for (const Kind kind : variables::allKinds) {
-        if (kind != Kind::M)
+    for (const variables::Kind kind : variables::allKinds) {
+        if (kind != variables::Kind::M)
             addTab(letters(kind), allOf(kind, m_desk.dialect), false);
     }
     loadWatchPages();

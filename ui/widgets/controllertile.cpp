@@ -9,7 +9,7 @@ namespace widgets {
 
 namespace {
 
-constexpr int margin = 10;
+constexpr int tileMargin = 10;
 
 QFont nameFont()
 {
@@ -23,7 +23,7 @@ QFont nameFont()
 ControllerTile::ControllerTile(const QString &name, QWidget *parent) : QWidget(parent), m_name {name}
 {
     const int line = QFontMetrics(ui::font(ui::Type::Label)).height();
-    setFixedHeight(QFontMetrics(nameFont()).height() + 2 * line + 3 * margin / 2 + 4);
+    setFixedHeight(QFontMetrics(nameFont()).height() + 2 * line + 3 * tileMargin / 2 + 4);
 }
 
 void ControllerTile::show(const Word &state)
@@ -60,7 +60,7 @@ void ControllerTile::paintEvent(QPaintEvent *)
     painter.setBrush(ui::color(ui::Role::Raised, scheme));
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
 
-    const QRect inner = rect().adjusted(margin, margin - 3, -margin, -margin + 3);
+    const QRect inner = rect().adjusted(tileMargin, tileMargin - 3, -tileMargin, -tileMargin + 3);
     const int side = QFontMetrics(nameFont()).capHeight();
     const QRect upper(inner.left(), inner.top(), inner.width() - side - 8, QFontMetrics(nameFont()).height());
     const int labelHeight = QFontMetrics(ui::font(ui::Type::Label)).height();

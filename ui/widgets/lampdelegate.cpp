@@ -11,7 +11,7 @@ using robot::Freshness;
 namespace {
 
 constexpr int side = 18;
-constexpr int margin = 8;
+constexpr int lampMargin = 8;
 
 ui::Role nameRole(const models::Lamp &lamp)
 {
@@ -50,10 +50,10 @@ void LampDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, 
     const ui::Scheme scheme = ui::schemeOf(option.palette);
     painter->save();
     paintGround(painter, option, index);
-    const QRect square(option.rect.left() + margin, option.rect.center().y() - side / 2, side, side);
+    const QRect square(option.rect.left() + lampMargin, option.rect.center().y() - side / 2, side, side);
     painter->setFont(ui::font(ui::Type::Label));
     paintSignal(*painter, square, lamp, scheme);
-    const QRect words = option.rect.adjusted(margin + side + margin, 2, -4, -3);
+    const QRect words = option.rect.adjusted(lampMargin + side + lampMargin, 2, -4, -3);
     const QFontMetrics metrics = painter->fontMetrics();
     const auto line = [&](const QRect &room, const QString &text, ui::Role role) {
         painter->setPen(ui::color(role, scheme));

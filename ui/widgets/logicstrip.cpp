@@ -45,13 +45,11 @@ void LogicStrip::paintTrack(QPainter &painter, const robot::SignalTrace &trace, 
     };
     const int high = track.top() + 6;
     const int low = track.bottom() - 6;
-    std::optional<int> before;
     for (std::size_t i = 0; i < trace.spans.size(); ++i) {
         const auto &span = trace.spans[i];
         const int from = xOf(span.from);
         const int to = i + 1 < trace.spans.size() ? xOf(trace.spans[i + 1].from) : track.right();
         if (!span.isOn) {
-            before.reset();
             painter.fillRect(
                 from, high, to - from, low - high, QBrush(ui::color(ui::Role::Border, this), Qt::BDiagPattern));
             continue;
@@ -59,10 +57,9 @@ void LogicStrip::paintTrack(QPainter &painter, const robot::SignalTrace &trace, 
         const int level = *span.isOn ? high : low;
         if (*span.isOn)
             painter.fillRect(from, high, to - from, low - high, ui::color(ui::Role::AccentGround, this));
-        if (before && *before != level)
+        if (i > 0 && trace.spans[i - 1].isOn == !*span.isOn)
             painter.drawLine(from, high, from, low);
         painter.drawLine(from, level, to, level);
-        before = level;
     }
 }
 

@@ -29,7 +29,7 @@ Look look(Severity severity)
 }
 
 constexpr int lampSide = 10;
-constexpr int margin = 12;
+constexpr int barMargin = 12;
 
 } // namespace
 
@@ -37,7 +37,7 @@ MessageBar::MessageBar(QWidget *parent)
     : QWidget(parent), m_text {sentence({}, ui::Role::Text1)}, m_link {new QPushButton}
 {
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(margin + lampSide + 8, 7, margin, 7);
+    row->setContentsMargins(barMargin + lampSide + 8, 7, barMargin, 7);
     row->setSpacing(ui::space::gap);
     row->addWidget(m_text, 1);
     row->addWidget(m_link);
@@ -78,7 +78,7 @@ void MessageBar::paintEvent(QPaintEvent *)
     painter.setPen(ui::color(m_message.severity == Severity::Notice ? ui::Role::Border : now.ink, scheme));
     painter.setBrush(ui::color(now.ground, scheme));
     const QRectF lampSquare(
-        contentsRect().left() + margin, contentsRect().center().y() + 0.5 - lampSide / 2.0, lampSide, lampSide);
+        contentsRect().left() + barMargin, contentsRect().center().y() + 0.5 - lampSide / 2.0, lampSide, lampSide);
     painter.drawRoundedRect(
         QRectF(contentsRect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
     paintLamp(painter, lampSquare, now.lamp, scheme);

@@ -41,7 +41,7 @@ motion::Speeds lowered(const motion::Speeds &row, const Limits &limits)
         std::min(row.joint, limits.jointSpeed)};
 }
 
-QString number(double value) { return QLocale().toString(value, 'g', 4); }
+QString brief(double value) { return QLocale().toString(value, 'g', 4); }
 
 } // namespace
 
@@ -111,13 +111,13 @@ void JogCard::showChoices()
     QStringList stepWords;
     for (const StepRow &row : steps) {
         const StepRow step = lowered(row, limits);
-        stepWords << (isAxes ? number(step.pulses) : tr("%1 mm · %2°").arg(number(step.length), number(step.angle)));
+        stepWords << (isAxes ? brief(step.pulses) : tr("%1 mm · %2°").arg(brief(step.length), brief(step.angle)));
     }
     QStringList speedWords;
     for (const motion::Speeds &row : speeds) {
         const motion::Speeds speed = lowered(row, limits);
-        speedWords << (isAxes ? tr("%1 %").arg(number(speed.joint))
-                              : tr("%1 mm/s · %2 °/s").arg(number(speed.tool), number(speed.rotation)));
+        speedWords << (isAxes ? tr("%1 %").arg(brief(speed.joint))
+                              : tr("%1 mm/s · %2 °/s").arg(brief(speed.tool), brief(speed.rotation)));
     }
     m_step->setChoices(stepWords, m_step->chosen() < 0 ? usual : m_step->chosen());
     m_speed->setChoices(speedWords, m_speed->chosen() < 0 ? usual : m_speed->chosen());
@@ -158,7 +158,7 @@ QString JogCard::worstCase() const
         return tr("at most one step: %1 pulses").arg(choice.pulses);
     const double seconds = std::max(choice.length / choice.speeds.tool, choice.angle / choice.speeds.rotation);
     return tr("at most one step: %1 mm or %2°, in %3 s at most")
-        .arg(number(choice.length), number(choice.angle), QLocale().toString(seconds, 'f', 1));
+        .arg(brief(choice.length), brief(choice.angle), QLocale().toString(seconds, 'f', 1));
 }
 
 /// What forbids a step now; that it runs itself is none of it.

@@ -256,8 +256,7 @@ Result<AxisWords> MoveCard::typed() const
     for (int axis = 0; axis < words.count(); ++axis) {
         const auto word = variables::axisFromText(m_rows[axis].target->text(), values::axisUnit(frame(), axis));
         if (!word)
-            return values::failure(values::ErrorKind::BadInput,
-                tr("%1: %2", "axis: reason").arg(m_rows[axis].name->text(), word.error().detail));
+            return values::badInput(tr("%1: %2", "axis: reason").arg(m_rows[axis].name->text(), word.error().detail));
         words[axis] = *word;
     }
     return words;
@@ -269,11 +268,11 @@ Result<std::array<qint32, 3>> MoveCard::typedTrack() const
     const QStringList parts = m_track->text().split(u';');
     std::array<qint32, 3> words {};
     if (parts.size() > int(words.size()))
-        return values::failure(values::ErrorKind::BadInput, tr("There are three base axes at most."));
+        return values::badInput(tr("There are three base axes at most."));
     for (qsizetype axis = 0; axis < parts.size(); ++axis) {
         const auto word = variables::axisFromText(parts[axis].trimmed(), values::AxisUnit::Micrometre);
         if (!word)
-            return values::failure(values::ErrorKind::BadInput, tr("Base axes: %1").arg(word.error().detail));
+            return values::badInput(tr("Base axes: %1").arg(word.error().detail));
         words[std::size_t(axis)] = *word;
     }
     return words;
@@ -282,7 +281,7 @@ Result<std::array<qint32, 3>> MoveCard::typedTrack() const
 Result<motion::Plan> MoveCard::plan() const
 {
     if (!m_limits)
-        return values::failure(values::ErrorKind::BadInput,
+        return values::badInput(
             tr("Off: the profile has a motion limit that is no number above 0 (%1).").arg(m_limits.error().detail));
     const auto axes = typed();
     if (!axes)
