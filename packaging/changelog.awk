@@ -28,7 +28,7 @@ function end_version(    command, stamp) {
     command = "LC_ALL=C date -u -R -d " date
     if (form != "debian") { print "        </ul>\n      </description>\n    </release>"; return }
     command | getline stamp
-    print "\n -- The Pendesk authors <pendesk@localhost>  " stamp "\n"
+    print "\n -- The Pendesk authors <pendesk@pendesk.invalid>  " stamp "\n"
 }
 function begin_version() {
     released = date ~ /^[0-9]/
