@@ -13,7 +13,6 @@ namespace protocol {
 
 namespace {
 
-using enum Service;
 using Ranges = QList<InstanceRange>;
 
 InstanceRange numbered(int base, int count) { return {quint16(base + 1), quint16(base + count)}; }
@@ -82,8 +81,9 @@ Effect starts(const Request &) { return Effect::Starts; }
 Effect moves(const Request &) { return Effect::Moves; }
 Effect readsOrWrites(const Request &request)
 {
-    return requestPayload(request.service) == PayloadKind::Empty || request.service == ReadPlural ? Effect::Reads
-                                                                                                  : Effect::Writes;
+    return requestPayload(request.service) == PayloadKind::Empty || request.service == Service::ReadPlural
+        ? Effect::Reads
+        : Effect::Writes;
 }
 
 /// 0x83: HOLD on and servo off stop, the rest of servo makes motion possible, and what remains changes a setting
@@ -118,7 +118,7 @@ Result<Fields> finished(const FieldReader &reader, QByteArrayView payload)
         values::ErrorKind::Malformed, QStringLiteral("a payload of %1 bytes does not fit").arg(payload.size()));
 }
 
-bool isSingle(Service service) { return service == GetSingle || service == SetSingle; }
+bool isSingle(Service service) { return service == Service::GetSingle || service == Service::SetSingle; }
 
 template <typename Value>
 Result<Fields> valueFields(QByteArrayView payload, const Request &request, const TextCodec &codec)
@@ -157,11 +157,11 @@ template <typename Item> Result<Fields> itemFields(QByteArrayView payload, const
     return Fields {{QStringLiteral("values"), values, {}}};
 }
 
-const QList<Service> get {GetSingle, GetAll};
-const QList<Service> getAndSet {GetSingle, GetAll, SetSingle, SetAll};
-const QList<Service> execute {SetSingle};
-const QList<Service> setAll {SetAll};
-const QList<Service> plural {ReadPlural, WritePlural};
+const QList<Service> get {Service::GetSingle, Service::GetAll};
+const QList<Service> getAndSet {Service::GetSingle, Service::GetAll, Service::SetSingle, Service::SetAll};
+const QList<Service> execute {Service::SetSingle};
+const QList<Service> setAll {Service::SetAll};
+const QList<Service> plural {Service::ReadPlural, Service::WritePlural};
 
 using RangesOf = Ranges (*)(const Dialect &);
 using EffectOf = Effect (*)(const Request &);
@@ -186,7 +186,7 @@ std::vector<Command> makeRows()
 {
     using namespace values;
     using enum AllAttribute;
-    const QList<Service> getSetSingle {GetSingle, SetSingle};
+    const QList<Service> getSetSingle {Service::GetSingle, Service::SetSingle};
     return {
         row<Alarm>(0x70, "active alarm", get, alarmSlots, reads),
         row<Alarm>(0x71, "alarm history", get, historyEntries, reads),
