@@ -10,7 +10,7 @@ namespace ui {
 
 namespace {
 
-constexpr ActionRow rows[] {
+constexpr ActionRow actionRows[] {
     {ActionId::Hold, "holdAction", QT_TRANSLATE_NOOP("Actions", "HOLD (software)"), "Pause; Ctrl+Shift+H", "hold"},
     {ActionId::Access, "accessAction", QT_TRANSLATE_NOOP("Actions", "Access level…"), "Ctrl+L", ""},
     {ActionId::OpenInWindow, "openInWindowAction", QT_TRANSLATE_NOOP("Actions", "Open this page in its own window"),
@@ -24,6 +24,8 @@ constexpr ActionRow rows[] {
     {ActionId::CopyDiagnosis, "copyDiagnosisAction", QT_TRANSLATE_NOOP("Actions", "Copy diagnosis"), "Ctrl+Shift+C",
         "copy"},
     {ActionId::Readiness, "readinessAction", QT_TRANSLATE_NOOP("Actions", "Readiness…"), "Ctrl+Shift+R", ""},
+    {ActionId::Appearance, "appearanceAction", QT_TRANSLATE_NOOP("Actions", "Language and look…"), "Ctrl+,",
+        "settings"},
     {ActionId::Help, "helpAction", QT_TRANSLATE_NOOP("Actions", "Help and shortcuts"), "F1", ""},
     {ActionId::About, "aboutAction", QT_TRANSLATE_NOOP("Actions", "About Pendesk"), "", ""},
     {ActionId::Quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "Quit"), "Ctrl+Q", ""},
@@ -36,7 +38,7 @@ QList<QKeySequence> sequences(const char *shortcut)
 
 } // namespace
 
-std::span<const ActionRow> actionCatalog() { return rows; }
+std::span<const ActionRow> actionCatalog() { return actionRows; }
 
 QString text(const ActionRow &row) { return QCoreApplication::translate("Actions", row.text); }
 
@@ -50,7 +52,7 @@ QString shortcutText(const char *shortcut)
 
 Actions::Actions(QWidget *window) : QObject(window)
 {
-    for (const ActionRow &row : rows) {
+    for (const ActionRow &row : actionRows) {
         auto *action = new QAction(icon(QLatin1String(row.icon)), text(row), this);
         action->setObjectName(QLatin1String(row.name));
         if (row.id != ActionId::Hold)
@@ -59,6 +61,12 @@ Actions::Actions(QWidget *window) : QObject(window)
         connect(action, &QAction::triggered, this, [this, id = row.id] { Q_EMIT triggered(id); });
         m_actions.insert(row.id, action);
     }
+}
+
+void Actions::translate()
+{
+    for (const ActionRow &row : actionRows)
+        m_actions[row.id]->setText(text(row));
 }
 
 } // namespace ui

@@ -19,6 +19,7 @@ enum class ActionId {
     Diagnose,
     CopyDiagnosis,
     Readiness,
+    Appearance,
     Help,
     About,
     Quit
@@ -47,6 +48,8 @@ public:
     /// The shortcuts work in `window`; HOLD's are HoldKey's business.
     explicit Actions(QWidget *window);
 
+    /// Writes the words anew, in the language that is spoken now.
+    void translate();
     [[nodiscard]] QAction *action(ActionId id) const { return m_actions.value(id); }
 
 Q_SIGNALS:

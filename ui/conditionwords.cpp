@@ -20,7 +20,7 @@ struct Conditions {
     Q_DECLARE_TR_FUNCTIONS(Conditions)
 };
 
-struct Words {
+struct ConditionWords {
     Condition condition;
     const char *complaint;
     const char *remedy;
@@ -28,7 +28,7 @@ struct Words {
 
 // One row a condition, in the order of Condition; the titles are the core's.
 // clang-format off
-constexpr Words words[] {
+constexpr ConditionWords conditionWords[] {
     {Condition::LinkUp, QT_TRANSLATE_NOOP("Conditions", "There is no link to the controller"), QT_TRANSLATE_NOOP("Conditions", "connect, or wait until it answers again")},
     {Condition::LevelOperate, QT_TRANSLATE_NOOP("Conditions", "The access level is Monitor"), QT_TRANSLATE_NOOP("Conditions", "switch to Operate in the strip (Ctrl+L)")},
     {Condition::LevelEngineer, QT_TRANSLATE_NOOP("Conditions", "The access level is not Engineer"),
@@ -72,7 +72,7 @@ constexpr Words words[] {
     {Condition::OverwritePermitted, QT_TRANSLATE_NOOP("Conditions", "Replacing files is not permitted"),
         QT_TRANSLATE_NOOP("Conditions", "set the parameters RS029 and RS214 to 1: %1")},
 };
-static_assert(std::size(words) == robot::conditionCount);
+static_assert(std::size(conditionWords) == robot::conditionCount);
 
 /// Where the pendant has it. The names of menus follow the model; a YRC1000micro with a Smart Pendant has its own.
 struct Path {
@@ -104,11 +104,11 @@ QString path(Condition condition, protocol::Model model)
 
 QString title(Condition condition) { return Conditions::tr(robot::title(condition)); }
 
-QString complaint(Condition condition) { return Conditions::tr(words[std::size_t(condition)].complaint); }
+QString complaint(Condition condition) { return Conditions::tr(conditionWords[std::size_t(condition)].complaint); }
 
 QString remedy(Condition condition, protocol::Model model)
 {
-    const QString text = Conditions::tr(words[std::size_t(condition)].remedy);
+    const QString text = Conditions::tr(conditionWords[std::size_t(condition)].remedy);
     const QString way = path(condition, model);
     return way.isEmpty() ? text : text.arg(way);
 }

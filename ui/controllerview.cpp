@@ -33,44 +33,40 @@ QList<robot::TopicRange> alwaysRead()
 
 } // namespace
 
-ControllerView::ControllerView(const settings::Profile &profile, settings::ProfileStore &store, Authority authority,
+ControllerView::ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStore &store, Authority authority,
     const Actions &actions, QWidget *parent)
     : QWidget(parent),
+      m_desk {std::move(desk)},
       m_store {store},
-      m_controller {profile},
-      m_orders {m_controller, authority.access, authority.arming},
-      m_names {profile, store.notes(profile.name)},
-      m_numbering {m_orders},
       m_authority {authority},
-      m_recorder {m_controller, trend::Archive::folderOf(profile.name)},
-      m_alarms {m_orders, authority.journal},
-      m_rail {new NavigationRail(m_controller.state(), m_controller.profile(), actions)},
+      m_actions {actions},
+      m_rail {new NavigationRail(controller().state(), m_desk->profile(), actions)},
       m_bar {new widgets::MessageBar},
       m_lockBar {new widgets::MessageBar},
       m_journalBar {new widgets::MessageBar},
       m_stack {new QStackedWidget},
-      m_stripInterest {m_controller.poller().want(alwaysRead())}
+      m_pages(qsizetype(pageCatalog().size()), nullptr),
+      m_stripInterest {controller().poller().want(alwaysRead())}
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     setFocusProxy(m_rail); // nobody holds a robot with a stray Space
     column->addWidget(makeStrip());
-    column->addWidget(desk(), 1);
+    column->addWidget(makeBoard(), 1);
     m_bar->setObjectName(QStringLiteral("messageBar"));
     m_lockBar->setObjectName(QStringLiteral("lockBar"));
     m_journalBar->setObjectName(QStringLiteral("journalBar"));
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
-    m_names.follow(m_controller);
-    addPages(store, actions);
-    const auto *backup = new BackupAge(profile.name, store.notes(profile.name), this);
+    const QString &name = m_desk->profile().name;
+    const auto *backup = new BackupAge(name, store.notes(name), this);
     connect(backup, &BackupAge::told, m_rail, &NavigationRail::showBackup);
-    connect(m_bar, &widgets::MessageBar::linkActivated, this, [this, &actions] {
+    connect(m_bar, &widgets::MessageBar::linkActivated, this, [this] {
         if (m_barAction)
-            actions.action(*m_barAction)->trigger();
+            m_actions.action(*m_barAction)->trigger();
     });
-    const auto *contact = new FirstContact(m_controller, store, this);
+    const auto *contact = new FirstContact(controller(), store, this);
     connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
     follow();
     followJournal();
@@ -80,14 +76,14 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
 
 RobotStrip *ControllerView::makeStrip()
 {
-    auto *strip = new RobotStrip(m_controller.state(), m_controller.profile());
-    strip->addBadge(new ArmBadge(m_orders));
+    auto *strip = new RobotStrip(controller().state(), m_desk->profile());
+    strip->addBadge(new ArmBadge(orders()));
     strip->addBadge(new AccessSwitch(m_authority.access));
     connect(strip, &RobotStrip::holdRequested, this, &ControllerView::hold);
     return strip;
 }
 
-QWidget *ControllerView::desk()
+QWidget *ControllerView::makeBoard()
 {
     auto *content = new QVBoxLayout;
     content->setSpacing(0);
@@ -107,46 +103,78 @@ QWidget *ControllerView::desk()
     return result;
 }
 
-void ControllerView::addPages(settings::ProfileStore &store, const Actions &actions)
+pages::Page *ControllerView::page(int row)
 {
-    const pages::Context context {m_controller, m_orders, m_alarms, m_authority.journal, m_controller.state(),
-        m_controller.profile(), store, m_names, m_numbering, actions, m_recorder};
-    for (const PageRow &row : pageCatalog()) {
-        pages::Page *page = row.create(context, m_stack);
-        page->setObjectName(QLatin1String(row.id) + QStringLiteral("Page"));
-        m_stack->addWidget(page);
-        for (const auto signal : {&pages::Page::topicsChanged, &pages::Page::visibilityChanged})
-            connect(page, signal, this, [this, page] { readFor(page); });
-        m_pages << page;
+    if (!m_pages[row])
+        m_pages[row] = makePage(row);
+    return m_pages[row];
+}
+
+pages::Page *ControllerView::makePage(int row)
+{
+    const pages::Context context {controller(), orders(), alarms(), m_authority.journal, controller().state(),
+        m_desk->profile(), m_store, names(), m_desk->numbering, m_actions, recorder()};
+    const PageRow &entry = pageCatalog()[std::size_t(row)];
+    pages::Page *page = entry.create(context, m_stack);
+    page->setObjectName(QLatin1String(entry.id) + QStringLiteral("Page"));
+    for (const auto signal : {&pages::Page::topicsChanged, &pages::Page::visibilityChanged})
+        connect(page, signal, this, [this, page] { readFor(page); });
+    page->showLink(linkView(controller()));
+    page->showStatistics(controller().statistics());
+    m_stack->addWidget(page);
+    return page;
+}
+
+int ControllerView::openRow() const
+{
+    for (int row = 0; row < int(m_pages.size()); ++row) {
+        if (m_pages[row] && m_pages[row] == m_stack->currentWidget())
+            return row;
     }
+    return 0;
+}
+
+QList<pages::Page *> ControllerView::madePages() const
+{
+    QList<pages::Page *> made = m_pages;
+    made.removeAll(nullptr);
+    return made;
+}
+
+QStringList ControllerView::unfinished() const
+{
+    QStringList sentences;
+    for (const pages::Page *page : madePages())
+        sentences << page->unfinished();
+    sentences.removeAll(QString());
+    return sentences;
 }
 
 void ControllerView::follow()
 {
     using robot::Controller;
     connect(m_rail, &NavigationRail::pageChosen, this, &ControllerView::openPage);
-    connect(&m_controller, &Controller::linkStateChanged, this, &ControllerView::onLinkChanged);
-    connect(&m_controller, &Controller::troubleChanged, this, &ControllerView::onLinkChanged);
-    connect(&m_controller, &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
-    connect(&m_controller, &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
-    connect(&m_orders, &robot::Orders::pendantLockChanged, this, &ControllerView::showLock);
+    connect(&controller(), &Controller::linkStateChanged, this, &ControllerView::onLinkChanged);
+    connect(&controller(), &Controller::troubleChanged, this, &ControllerView::onLinkChanged);
+    connect(&controller(), &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
+    connect(&controller(), &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
+    connect(&orders(), &robot::Orders::pendantLockChanged, this, &ControllerView::showLock);
     connect(m_lockBar, &widgets::MessageBar::linkActivated, this, &ControllerView::releaseLock);
     connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
 }
 
-/// The pages look at the orders, which look at the controller: the children go first.
+/// The widgets look at the desk: they go first.
 ControllerView::~ControllerView() { qDeleteAll(findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly)); }
 
 void ControllerView::openPage(int row)
 {
-    if (PageWindow *window = windowOf(m_pages[row])) {
+    if (PageWindow *window = windowOf(page(row))) {
         window->raise();
         window->activateWindow();
     } else {
-        m_stack->setCurrentWidget(m_pages[row]);
+        m_stack->setCurrentWidget(page(row));
     }
     m_rail->showPage(row);
-    m_pageInView = row;
     Q_EMIT pageOpened(row);
 }
 
@@ -159,28 +187,38 @@ PageWindow *ControllerView::windowOf(const pages::Page *page) const
     return nullptr;
 }
 
-void ControllerView::openInWindow()
-{
-    if (const auto row = m_pages.indexOf(m_stack->currentWidget()); row >= 0)
-        openInWindow(QLatin1String(pageCatalog()[row].id));
-}
+void ControllerView::openInWindow() { openInWindow(QLatin1String(pageCatalog()[std::size_t(openRow())].id)); }
 
 void ControllerView::openInWindow(const QString &id)
 {
     const auto catalog = pageCatalog();
     const auto found = std::ranges::find_if(catalog, [&](const PageRow &row) { return id == QLatin1String(row.id); });
-    if (found == catalog.end() || m_stack->count() < 2) // the main window keeps one
+    if (found == catalog.end())
         return;
-    pages::Page *page = m_pages[found - catalog.begin()];
-    if (windowOf(page))
-        return openPage(int(found - catalog.begin()));
-    m_stack->removeWidget(page);
+    const int row = int(found - catalog.begin());
+    if (windowOf(page(row)))
+        return openPage(row);
+    if (m_stack->currentWidget() == page(row) && !openAnother(row)) // the main window keeps one
+        return;
+    m_stack->removeWidget(page(row));
     auto *window =
-        new PageWindow(makeStrip(), page, tr("%1 — %2").arg(title(*found), m_controller.profile().name), this);
+        new PageWindow(makeStrip(), page(row), tr("%1 — %2").arg(title(*found), m_desk->profile().name), this);
     connect(window, &PageWindow::closed, this, &ControllerView::takeBack);
     showLink();
     window->show();
     Q_EMIT pagesInWindowsChanged();
+}
+
+/// Shows the next page that has no window of its own; false if there is none.
+bool ControllerView::openAnother(int row)
+{
+    const int count = int(m_pages.size());
+    for (int step = 1; step < count; ++step) {
+        const int other = (row + step) % count;
+        if (!windowOf(page(other)))
+            return openPage(other), true;
+    }
+    return false;
 }
 
 void ControllerView::takeBack(PageWindow *window)
@@ -205,17 +243,17 @@ QStringList ControllerView::pagesInWindows() const
 void ControllerView::readFor(const pages::Page *page)
 {
     if (page->isVisible())
-        m_pageInterests[page] = m_controller.poller().want(page->topics());
+        m_pageInterests[page] = controller().poller().want(page->topics());
     else
         m_pageInterests.remove(page);
 }
 
 void ControllerView::hold()
 {
-    if (m_controller.linkState() == LinkState::Disconnected)
+    if (controller().linkState() == LinkState::Disconnected)
         show(holdWithoutLink());
     else
-        m_controller.hold();
+        controller().hold();
 }
 
 void ControllerView::showReadiness() { openReadiness(true); }
@@ -225,7 +263,7 @@ void ControllerView::openReadiness(bool isAsked)
 {
     auto *sheet = findChild<dialogs::ReadinessSheet *>();
     if (!sheet) {
-        sheet = new dialogs::ReadinessSheet(m_orders, m_numbering, m_store, this);
+        sheet = new dialogs::ReadinessSheet(orders(), m_desk->numbering, m_store, this);
         sheet->setAttribute(Qt::WA_ShowWithoutActivating, !isAsked);
         const int room = height() - space::strip - 2 * space::page;
         sheet->resize(sheet->width(), std::min(sheet->height(), room));
@@ -244,7 +282,7 @@ void ControllerView::show(const Notice &notice)
     m_barAction = notice.action;
     m_bar->show(notice.message);
     const bool isPassing = notice.message.severity == widgets::Severity::Notice
-        && m_controller.linkState() == LinkState::Monitoring && m_controller.holdProgress() != HoldProgress::Sent;
+        && controller().linkState() == LinkState::Monitoring && controller().holdProgress() != HoldProgress::Sent;
     if (isPassing && !notice.message.text.isEmpty())
         m_fade.start();
     else
@@ -254,31 +292,30 @@ void ControllerView::show(const Notice &notice)
 void ControllerView::onLinkChanged()
 {
     showLink();
-    show(noticeOf(linkView(m_controller), m_controller.profile()));
+    show(noticeOf(linkView(controller()), m_desk->profile()));
 }
 
 void ControllerView::onHoldProgressChanged()
 {
     onLinkChanged();
-    if (m_controller.holdProgress() == HoldProgress::Confirmed && m_controller.linkState() == LinkState::Monitoring)
+    if (controller().holdProgress() == HoldProgress::Confirmed && controller().linkState() == LinkState::Monitoring)
         show(holdConfirmed());
 }
 
 void ControllerView::onStatisticsChanged()
 {
-    const auto statistics = m_controller.statistics();
+    const auto statistics = controller().statistics();
     for (RobotStrip *strip : findChildren<RobotStrip *>())
         strip->showStatistics(statistics);
-    for (pages::Page *page : m_pages)
+    for (pages::Page *page : madePages())
         page->showStatistics(statistics);
 }
 
 void ControllerView::showLock()
 {
     const QString text = tr("HLOCK is on at %1: the pendant is locked out, but for its emergency stop.");
-    const widgets::Message locked {
-        widgets::Severity::Warning, text.arg(m_controller.profile().name), tr("Release HLOCK")};
-    m_lockBar->show(m_orders.isPendantLocked() ? locked : widgets::Message {});
+    const widgets::Message locked {widgets::Severity::Warning, text.arg(m_desk->profile().name), tr("Release HLOCK")};
+    m_lockBar->show(orders().isPendantLocked() ? locked : widgets::Message {});
 }
 
 /// Everything that is ordered is written down; while that fails work goes on and every page says so.
@@ -288,7 +325,6 @@ void ControllerView::followJournal()
     using widgets::Severity;
     Store &journal = m_authority.journal;
     const auto fail = [this](const QString &reason) { m_journalBar->show({Severity::Warning, reason, {}}); };
-    connect(&m_orders, &robot::Orders::recorded, &journal, &Store::append);
     connect(&journal, &Store::failed, this, fail);
     connect(&journal, &Store::recovered, this, [this](qint64 dropped) {
         const QString lost = tr("The journal works again. %n record(s) were lost.", nullptr, int(dropped));
@@ -305,9 +341,9 @@ void ControllerView::followJournal()
 
 void ControllerView::releaseLock()
 {
-    m_orders.send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, [this](const values::Result<void> &result) {
+    orders().send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, [this](const values::Result<void> &result) {
         if (!result) {
-            const auto text = explain(robot::Act::HlockOff, result.error(), m_controller.profile().model);
+            const auto text = explain(robot::Act::HlockOff, result.error(), m_desk->profile().model);
             show({{widgets::Severity::Warning, text, {}}, {}});
         }
     });
@@ -315,11 +351,11 @@ void ControllerView::releaseLock()
 
 void ControllerView::showLink()
 {
-    const LinkView link = linkView(m_controller);
+    const LinkView link = linkView(controller());
     for (RobotStrip *strip : findChildren<RobotStrip *>())
         strip->showLink(link);
     m_rail->showLink(link);
-    for (pages::Page *page : m_pages)
+    for (pages::Page *page : madePages())
         page->showLink(link);
 }
 

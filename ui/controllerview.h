@@ -2,15 +2,11 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "robot/alarmlog.h"
-#include "robot/namebook.h"
-#include "robot/numbering.h"
-#include "robot/orders.h"
-#include "settings/profilestore.h"
-#include "trend/recorder.h"
+#include "ui/desk.h"
 #include "ui/messages.h"
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 
 class QStackedWidget;
 
@@ -24,38 +20,36 @@ class Page;
 
 namespace ui {
 
-/// What the whole program shares: who may do what, and where it is written down.
-struct Authority {
-    robot::Access &access;
-    robot::Arming &arming;
-    journal::Store &journal;
-};
-
 class NavigationRail;
 class PageWindow;
 class RobotStrip;
 
-/// One controller, and its strip, rail, message bar and pages. Another controller gets a new view.
+/// Shows one controller: its strip, rail, message bar and pages. A page is made when it is first opened. Another
+/// controller gets a new view, and so does another language.
 class ControllerView : public QWidget
 {
     Q_OBJECT
 
 public:
     /// `store`, `authority` and `actions` must outlive the view.
-    ControllerView(const settings::Profile &profile, settings::ProfileStore &store, Authority authority,
+    ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStore &store, Authority authority,
         const Actions &actions, QWidget *parent = nullptr);
     ~ControllerView() override;
 
-    [[nodiscard]] robot::Controller &controller() { return m_controller; }
-    [[nodiscard]] trend::Recorder &recorder() { return m_recorder; }
-    [[nodiscard]] robot::Orders &orders() { return m_orders; }
-    [[nodiscard]] robot::AlarmLog &alarms() { return m_alarms; }
-    [[nodiscard]] robot::NameBook &names() { return m_names; }
-    [[nodiscard]] const QList<pages::Page *> &pages() const { return m_pages; }
+    [[nodiscard]] const std::shared_ptr<Desk> &desk() { return m_desk; }
+    [[nodiscard]] robot::Controller &controller() { return m_desk->controller; }
+    [[nodiscard]] trend::Recorder &recorder() { return m_desk->recorder; }
+    [[nodiscard]] robot::Orders &orders() { return m_desk->orders; }
+    [[nodiscard]] robot::AlarmLog &alarms() { return m_desk->alarms; }
+    [[nodiscard]] robot::NameBook &names() { return m_desk->names; }
+    /// The page of this row of the catalogue.
+    [[nodiscard]] pages::Page *page(int row);
+    /// The row of the page in view in this window.
+    [[nodiscard]] int openRow() const;
+    /// What would be lost with the pages, in whole sentences; see pages::Page::unfinished().
+    [[nodiscard]] QStringList unfinished() const;
     /// Brings the page in view, in its own window if it has one.
     void openPage(int row);
-    /// Row of the page that was opened last.
-    [[nodiscard]] int pageInView() const { return m_pageInView; }
     /// Gives the page a window of its own, beside this one; closing it brings the page back. Pages are told by the
     /// catalogue's ids.
     void openInWindow(const QString &id);
@@ -82,8 +76,10 @@ private:
     [[nodiscard]] RobotStrip *makeStrip();
     [[nodiscard]] PageWindow *windowOf(const pages::Page *page) const;
     void takeBack(PageWindow *window);
-    [[nodiscard]] QWidget *desk();
-    void addPages(settings::ProfileStore &store, const Actions &actions);
+    [[nodiscard]] QWidget *makeBoard();
+    [[nodiscard]] pages::Page *makePage(int row);
+    [[nodiscard]] QList<pages::Page *> madePages() const;
+    bool openAnother(int row);
     void follow();
     void readFor(const pages::Page *page);
     void onLinkChanged();
@@ -94,21 +90,16 @@ private:
     void followJournal();
     void openReadiness(bool isAsked);
 
+    std::shared_ptr<Desk> m_desk;
     settings::ProfileStore &m_store;
-    robot::Controller m_controller;
-    robot::Orders m_orders;
-    robot::NameBook m_names;
-    robot::NumberingGuard m_numbering;
     Authority m_authority;
-    trend::Recorder m_recorder;
-    robot::AlarmLog m_alarms;
+    const Actions &m_actions;
     NavigationRail *m_rail;
     widgets::MessageBar *m_bar;
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
     widgets::MessageBar *m_journalBar; ///< On every page while the journal fails.
     QStackedWidget *m_stack;
-    int m_pageInView = 0;
-    QList<pages::Page *> m_pages; ///< In the order of the page catalogue.
+    QList<pages::Page *> m_pages; ///< In the order of the page catalogue; nullptr until it is opened.
     robot::Poller::Interest m_stripInterest;
     QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.
     std::optional<ActionId> m_barAction;

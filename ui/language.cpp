@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-constexpr Language rows[] {
+constexpr Language languageRows[] {
     {"en", "English"},
     {"de", "Deutsch"},
     {"ja", "日本語"},
@@ -35,12 +35,12 @@ void install(QCoreApplication &application, const QString &file, const QString &
 
 } // namespace
 
-std::span<const Language> languages() { return rows; }
+std::span<const Language> languages() { return languageRows; }
 
 QString desktopLanguage()
 {
     for (const QString &wanted : QLocale::system().uiLanguages()) {
-        for (const Language &row : rows) {
+        for (const Language &row : languageRows) {
             const QLocale locale {QLatin1String(row.code)};
             if (QLocale(wanted).language() == locale.language() && QLocale(wanted).script() == locale.script())
                 return QLatin1String(row.code);
@@ -51,7 +51,7 @@ QString desktopLanguage()
 
 bool speak(QCoreApplication &application, const QString &code)
 {
-    if (std::ranges::none_of(rows, [&](const Language &row) { return code == QLatin1String(row.code); }))
+    if (std::ranges::none_of(languageRows, [&](const Language &row) { return code == QLatin1String(row.code); }))
         return false;
     qDeleteAll(application.findChildren<QTranslator *>(QStringLiteral("language")));
     QLocale::setDefault(QLocale(code));

@@ -20,8 +20,8 @@ struct Language {
 /// The code of the language that fits the desktop best; English if none does.
 [[nodiscard]] QString desktopLanguage();
 
-/// Speaks the language from now on, and writes numbers and dates its way. Widgets that exist keep their words. False,
-/// and nothing changes, if there is no such language.
+/// Speaks the language from now on, and writes numbers and dates its way. A MainWindow that exists makes its words
+/// anew. False, and nothing changes, if there is no such language.
 bool speak(QCoreApplication &application, const QString &code);
 
 } // namespace ui

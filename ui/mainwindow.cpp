@@ -4,7 +4,9 @@
 
 #include "robot/controller.h"
 #include "ui/accessswitch.h"
+#include "ui/appearance.h"
 #include "ui/conditionwords.h"
+#include "ui/dialogs/appearancedialog.h"
 #include "ui/dialogs/connectiondialog.h"
 #include "ui/dialogs/diagnosisdialog.h"
 #include "ui/dialogs/helpdialog.h"
@@ -67,10 +69,16 @@ void MainWindow::openAccessMenu()
 /// HLOCK outlives this program: the person at the pendant would stand there locked out.
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!m_view->orders().isPendantLocked() || m_isLeavingLocked)
+    const bool isLocked = m_view->orders().isPendantLocked() && !m_isLeavingLocked;
+    if (!isLocked && (m_isLeaving || m_view->unfinished().isEmpty()))
         return QMainWindow::closeEvent(event);
     event->ignore();
-    offerRelease();
+    if (isLocked)
+        return offerRelease();
+    leavePages([this] {
+        m_isLeaving = true;
+        close();
+    });
 }
 
 void MainWindow::offerRelease()
@@ -99,24 +107,76 @@ void MainWindow::offerRelease()
 
 void MainWindow::offer(const settings::Profile &profile)
 {
-    if (QWidget *old = takeCentralWidget()) {
-        if (m_view->orders().isArmed())
-            m_authority.arming.drop(robot::Arming::Drop::ProfileChanged);
+    if (m_view) {
+        disarm();
         controller().disconnect(this);
         controller().close();
+    }
+    show(std::make_shared<Desk>(profile, m_store, m_authority));
+}
+
+void MainWindow::disarm()
+{
+    if (m_view->orders().isArmed())
+        m_authority.arming.drop(robot::Arming::Drop::ProfileChanged);
+}
+
+/// Puts widgets around the desk, in place of those that are there.
+void MainWindow::show(std::shared_ptr<Desk> desk)
+{
+    if (QWidget *old = takeCentralWidget()) {
         old->deleteLater(); // it may be one of its buttons that led here
     }
-    m_view = new ControllerView(profile, m_store, m_authority, *m_actions);
+    m_view = new ControllerView(std::move(desk), m_store, m_authority, *m_actions);
     setCentralWidget(m_view);
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
     connect(m_view, &ControllerView::pageOpened, this, &MainWindow::showHelpOf);
-    showHelpOf(m_view->pageInView());
+    showHelpOf(m_view->openRow());
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
+    const settings::Profile &profile = controller().profile();
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));
     if (!profile.host.isEmpty())
         restoreWindows();
     onLinkStateChanged();
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::LanguageChange && m_view)
+        translate();
+    QMainWindow::changeEvent(event);
+}
+
+/// Everything in the window is made anew but the controller's desk: the link stays up, and what was read is shown.
+void MainWindow::translate()
+{
+    const int row = m_view->openRow();
+    disarm();
+    for (QDialog *dialog : findChildren<QDialog *>(QString(), Qt::FindDirectChildrenOnly))
+        dialog->close();
+    m_actions->translate();
+    showLevel();
+    controller().disconnect(this);
+    show(m_view->desk());
+    m_view->openPage(row);
+}
+
+/// Goes on at once if no page would lose anything, else when the person says so.
+void MainWindow::leavePages(const std::function<void()> &then)
+{
+    const QStringList losses = m_view->unfinished();
+    if (losses.isEmpty())
+        return then();
+    auto *box = new QMessageBox(
+        QMessageBox::NoIcon, tr("Something is unfinished"), losses.join(u'\n'), QMessageBox::Cancel, this);
+    box->setObjectName(QStringLiteral("unfinishedBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::Cancel);
+    auto *goOn = box->addButton(tr("Go on and lose it"), QMessageBox::DestructiveRole);
+    goOn->setObjectName(QStringLiteral("loseUnfinished"));
+    connect(goOn, &QAbstractButton::clicked, this, then);
+    box->open();
 }
 
 /// The windows that stood open the last time, and from now on what is opened and closed is kept.
@@ -130,10 +190,12 @@ void MainWindow::restoreWindows()
 
 void MainWindow::connectTo(const settings::Profile &profile)
 {
-    offer(profile);
-    if (m_store.find(profile.name))
-        m_store.setLastUsed(profile.name);
-    controller().open();
+    leavePages([this, profile] {
+        offer(profile);
+        if (m_store.find(profile.name))
+            m_store.setLastUsed(profile.name);
+        controller().open();
+    });
 }
 
 void MainWindow::openDemo()
@@ -158,6 +220,7 @@ void MainWindow::run(ActionId id)
     case ActionId::Diagnose: return openDiagnosis();
     case ActionId::CopyDiagnosis: return copyDiagnosis();
     case ActionId::Readiness: return m_view->showReadiness();
+    case ActionId::Appearance: return openAppearance();
     case ActionId::Help: return openHelp();
     case ActionId::About: return showAbout();
     case ActionId::Quit: close();
@@ -180,7 +243,7 @@ void MainWindow::openHelp()
 {
     auto *help = findChild<dialogs::HelpDialog *>();
     if (!help)
-        help = new dialogs::HelpDialog(m_view->pageInView(), this);
+        help = new dialogs::HelpDialog(m_view->openRow(), this);
     help->show();
     help->raise();
     help->activateWindow();
@@ -198,6 +261,25 @@ void MainWindow::copyDiagnosis()
     auto *dialog = new dialogs::DiagnosisDialog(controller().profile(), this);
     dialog->copyWhenFinished();
     dialog->show();
+}
+
+void MainWindow::openAppearance()
+{
+    auto *dialog = new dialogs::AppearanceDialog(m_store.appearance(), this);
+    connect(dialog, &dialogs::AppearanceDialog::chosen, this, &MainWindow::wear);
+    dialog->open();
+}
+
+void MainWindow::wear(const settings::Appearance &wanted)
+{
+    const auto change = [this, wanted] {
+        m_store.setAppearance(wanted);
+        ui::wear(*qApp, wanted);
+    };
+    if (wanted.language == m_store.appearance().language)
+        change(); // no page is made anew
+    else
+        leavePages(change);
 }
 
 void MainWindow::showAbout()

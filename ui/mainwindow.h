@@ -38,15 +38,23 @@ public:
     void connectTo(const settings::Profile &profile);
     void openDemo();
 
+    using QMainWindow::show;
     [[nodiscard]] robot::Controller &controller() const;
     [[nodiscard]] ControllerView &view() const { return *m_view; }
     [[nodiscard]] const Actions &actions() const { return *m_actions; }
 
 protected:
     void closeEvent(QCloseEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
     void run(ActionId id);
+    void show(std::shared_ptr<Desk> desk);
+    void translate();
+    void disarm();
+    void leavePages(const std::function<void()> &then);
+    void openAppearance();
+    void wear(const settings::Appearance &wanted);
     void restoreWindows();
     void openAccessMenu();
     void offerRelease();
@@ -70,6 +78,7 @@ private:
     QLabel *m_requests;
     QPointer<dialogs::ConnectionDialog> m_connectionDialog;
     bool m_isLeavingLocked = false; ///< The person said to close with HLOCK on.
+    bool m_isLeaving = false; ///< The person said to close and lose what is unfinished.
 };
 
 } // namespace ui

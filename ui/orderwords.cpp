@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-struct Words {
+struct OrderTexts {
     Q_DECLARE_TR_FUNCTIONS(OrderRecords)
 };
 
@@ -21,12 +21,12 @@ struct Words {
 QString word(Outcome outcome)
 {
     switch (outcome) {
-    case Outcome::Done: return Words::tr("✓ done");
-    case Outcome::Refused: return Words::tr("✗ refused");
-    case Outcome::Unknown: return Words::tr("▲ unknown");
+    case Outcome::Done: return OrderTexts::tr("✓ done");
+    case Outcome::Refused: return OrderTexts::tr("✗ refused");
+    case Outcome::Unknown: return OrderTexts::tr("▲ unknown");
     case Outcome::Withheld: break;
     }
-    return Words::tr("□ not sent");
+    return OrderTexts::tr("□ not sent");
 }
 
 Role roleOf(Outcome outcome)

@@ -150,7 +150,7 @@ constexpr PageKey journalKeys[] {
 };
 // clang-format on
 
-constexpr PageRow rows[] {
+constexpr PageRow pageRows[] {
     {"overview", QT_TRANSLATE_NOOP("Pages", "Overview"), "overview", "Ctrl+1", create<pages::OverviewPage>,
         overviewHelp},
     {"alarms", QT_TRANSLATE_NOOP("Pages", "Alarms"), "alarms", "Ctrl+2", create<pages::AlarmsPage>, alarmsHelp,
@@ -174,7 +174,7 @@ constexpr PageRow rows[] {
 
 } // namespace
 
-std::span<const PageRow> pageCatalog() { return rows; }
+std::span<const PageRow> pageCatalog() { return pageRows; }
 
 QString title(const PageRow &row) { return QCoreApplication::translate("Pages", row.title); }
 

@@ -21,14 +21,14 @@ using widgets::StateField;
 
 namespace {
 
-struct Field {
+struct StripCell {
     const char *name;
     const char *title;
     widgets::Word (*word)(const values::Status &);
     bool isElided = false; ///< Words that may grow long; all of them are on the overview.
 };
 
-constexpr Field fields[] {
+constexpr StripCell fields[] {
     {"stripMode", QT_TRANSLATE_NOOP("ui::RobotStrip", "Mode"), modeWord, true},
     {"stripServo", QT_TRANSLATE_NOOP("ui::RobotStrip", "Servo"), servoWord},
     {"stripRun", QT_TRANSLATE_NOOP("ui::RobotStrip", "Run"), runWord, true},
@@ -154,7 +154,7 @@ QWidget *RobotStrip::jobCell() const
 
 void RobotStrip::addStatusCells()
 {
-    for (const Field &field : fields) {
+    for (const StripCell &field : fields) {
         m_statusFields << cell(field.name, tr(field.title));
         m_statusFields.back()->value()->setElided(field.isElided);
         m_row->addWidget(m_statusFields.back());

@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-constexpr Token table[] {
+constexpr Token tokenTable[] {
     {Role::Window, 0xFFE6E8EA, 0xFF1B2024},
     {Role::Strip, 0xFFD9DDE0, 0xFF15191C},
     {Role::Card, 0xFFF5F6F7, 0xFF23292E},
@@ -35,13 +35,13 @@ constexpr Token table[] {
 
 constexpr bool isInOrder()
 {
-    for (std::size_t i = 0; i < std::size(table); ++i) {
-        if (table[i].role != Role(i))
+    for (std::size_t i = 0; i < std::size(tokenTable); ++i) {
+        if (tokenTable[i].role != Role(i))
             return false;
     }
     return true;
 }
-static_assert(isInOrder() && std::size(table) == std::size_t(Role::MagentaGround) + 1);
+static_assert(isInOrder() && std::size(tokenTable) == std::size_t(Role::MagentaGround) + 1);
 
 struct TypeRow {
     qreal scale;
@@ -102,11 +102,11 @@ Role onAccent(Scheme scheme) { return scheme == Scheme::Light ? Role::Raised : R
 
 } // namespace
 
-std::span<const Token> tokens() { return table; }
+std::span<const Token> tokens() { return tokenTable; }
 
 QColor color(Role role, Scheme scheme)
 {
-    const Token &token = table[std::size_t(role)];
+    const Token &token = tokenTable[std::size_t(role)];
     return QColor::fromRgb(scheme == Scheme::Light ? token.light : token.dark);
 }
 
@@ -214,8 +214,15 @@ QTableView QTableCornerButton::section { background: transparent; border: none; 
         + textRoles(scheme);
 }
 
+Scheme desktopScheme()
+{
+    static const Scheme scheme = schemeOf(QApplication::palette()); // ours comes later
+    return scheme;
+}
+
 void apply(QApplication &application, Scheme scheme)
 {
+    (void)desktopScheme();
     static const QFont desktopFont = QApplication::font();
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setFont(applicationFont(desktopFont));

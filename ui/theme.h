@@ -71,6 +71,9 @@ enum class Type {
 [[nodiscard]] QPalette palette(Scheme scheme);
 [[nodiscard]] QString styleSheet(Scheme scheme);
 
+/// The desktop's, as it was when the program began.
+[[nodiscard]] Scheme desktopScheme();
+
 /// Dresses the whole application. Call it once before the first window, and again for another scheme.
 void apply(QApplication &application, Scheme scheme);
 

@@ -4,7 +4,7 @@
 #include "options.h"
 #include "pictures.h"
 #include "timings.h"
-#include "ui/language.h"
+#include "ui/appearance.h"
 #include "ui/mainwindow.h"
 #include "ui/presence.h"
 #include <QApplication>
@@ -28,6 +28,17 @@ int complain(const QString &sentence, ExitCode code)
     return code;
 }
 
+/// What the options say, else what the person chose the last time.
+settings::Appearance wantedLook(const Options &options, const settings::ProfileStore &store)
+{
+    settings::Appearance look = store.appearance();
+    if (!options.language.isEmpty())
+        look.language = options.language;
+    if (!options.scheme.isEmpty())
+        look.scheme = options.scheme;
+    return look;
+}
+
 /// The controller that the options ask for; the demo is started for it.
 values::Result<std::optional<settings::Profile>> wanted(const Options &options, Demo &demo)
 {
@@ -48,8 +59,7 @@ int run(const Options &options, QApplication &application)
 {
     QSettings file;
     settings::ProfileStore store {file};
-    ui::speak(application, options.language);
-    ui::apply(application, options.scheme.value_or(ui::schemeOf(QApplication::palette())));
+    ui::wear(application, wantedLook(options, store));
     Demo demo;
     const auto target = wanted(options, demo);
     if (!target)
@@ -68,9 +78,11 @@ int run(const Options &options, QApplication &application)
     if (options.wantsTimings)
         timings.emplace(window);
     window.show();
-    Pictures pictures {window, options.pictures};
+    Pictures pictures {window};
     if (!options.pictures.isEmpty())
-        pictures.start();
+        pictures.writeFiles(options.pictures);
+    else if (!options.contactSheet.isEmpty())
+        pictures.writeSheet(options.contactSheet, {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("ja")});
     else if (*target)
         window.connectTo(**target);
     return QApplication::exec();

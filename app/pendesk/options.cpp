@@ -31,6 +31,9 @@ void describe(QCommandLineParser &parser)
     add("monitor-only", Texts::tr("Allow watching, HOLD and servo off alone, whatever the person at the desk tries."));
     add("pictures", Texts::tr("Write pictures of every page to this folder, print the status read, and end."),
         QStringLiteral("DIR"));
+    add("contact-sheet",
+        Texts::tr("Write one picture of all pages, light and dark, in English, German and Japanese, and end."),
+        QStringLiteral("FILE"));
     add("timings", Texts::tr("Print when the window was painted and when the first status was live."));
 }
 
@@ -52,15 +55,14 @@ values::Result<void> readTheme(const QCommandLineParser &parser, Options &option
     const QString theme = parser.value(QStringLiteral("theme"));
     if (!parser.isSet(QStringLiteral("theme")) || theme == u"auto")
         return {};
-    options.scheme = ui::schemeFromName(theme);
-    if (!options.scheme)
+    options.scheme = theme;
+    if (!ui::schemeFromName(theme))
         return values::badInput(Texts::tr("--theme must be light, dark or auto."));
     return {};
 }
 
 values::Result<void> readLanguage(const QCommandLineParser &parser, Options &options)
 {
-    options.language = ui::desktopLanguage();
     if (!parser.isSet(QStringLiteral("language")))
         return {};
     options.language = parser.value(QStringLiteral("language"));
@@ -98,8 +100,12 @@ values::Result<Options> parse(const QStringList &arguments, const settings::Prof
     options.isMonitorOnly = parser.isSet(QStringLiteral("monitor-only"));
     options.wantsTimings = parser.isSet(QStringLiteral("timings"));
     options.pictures = parser.value(QStringLiteral("pictures"));
-    if (parser.isSet(QStringLiteral("pictures")) && (options.pictures.isEmpty() || !(options.isDemo || options.target)))
+    options.contactSheet = parser.value(QStringLiteral("contact-sheet"));
+    const bool hasController = options.isDemo || options.target;
+    if (parser.isSet(QStringLiteral("pictures")) && (options.pictures.isEmpty() || !hasController))
         return values::badInput(Texts::tr("--pictures needs a folder, and --demo, --host or --profile."));
+    if (parser.isSet(QStringLiteral("contact-sheet")) && (options.contactSheet.isEmpty() || !hasController))
+        return values::badInput(Texts::tr("--contact-sheet needs a file, and --demo, --host or --profile."));
     return options;
 }
 

@@ -13,11 +13,12 @@ enum ExitCode { Done = 0, Usage = 2, NoAnswer = 3, LocalFile = 5 };
 struct Options {
     bool isDemo = false;
     std::optional<settings::Profile> target; ///< Connect to it at once.
-    std::optional<ui::Scheme> scheme; ///< Empty: the desktop's.
-    QString language; ///< Code of one of ui::languages().
+    QString scheme; ///< "light" or "dark"; empty: as this user chose, or as the desktop.
+    QString language; ///< Code of one of ui::languages(); empty: as this user chose, or as the desktop.
     bool wantsTimings = false;
     bool isMonitorOnly = false; ///< Without the levels that change anything.
     QString pictures; ///< Folder for pictures; empty: none wanted.
+    QString contactSheet; ///< File for all pictures in one; empty: none wanted.
     QString text; ///< Set by --help and --version: print it and end.
 };
 

@@ -5,6 +5,7 @@
 #include "options.h"
 #include "protocol/codes.h"
 #include "ui/controllerview.h"
+#include "ui/language.h"
 #include "ui/mainwindow.h"
 #include "ui/pagecatalog.h"
 #include "ui/pages/page.h"
@@ -21,10 +22,14 @@ namespace {
 
 void say(const QString &sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(sentence)); }
 
+QString word(ui::Scheme scheme)
+{
+    return scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
+}
+
 } // namespace
 
-Pictures::Pictures(ui::MainWindow &window, const QString &folder, QObject *parent)
-    : QObject(parent), m_window {window}, m_folder {folder}
+Pictures::Pictures(ui::MainWindow &window, QObject *parent) : QObject(parent), m_window {window}
 {
     m_look.setInterval(100ms);
     m_deadline.setSingleShot(true);
@@ -33,16 +38,35 @@ Pictures::Pictures(ui::MainWindow &window, const QString &folder, QObject *paren
     connect(&m_deadline, &QTimer::timeout, this, &Pictures::giveUp);
 }
 
+void Pictures::writeFiles(const QString &folder)
+{
+    m_path = folder;
+    if (!QDir().mkpath(folder))
+        return fail(tr("the folder %1 cannot be made").arg(folder), LocalFile);
+    if (!saveAll(QStringLiteral("notconnected")))
+        return end(LocalFile);
+    m_walks = {{QString(), m_scheme}, {QString(), ui::Scheme::Dark}};
+    start();
+}
+
+void Pictures::writeSheet(const QString &path, const QStringList &languages)
+{
+    m_path = path;
+    QStringList headings;
+    for (const QString &language : languages) {
+        for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {
+            m_walks << Walk {language, scheme};
+            headings << QStringLiteral("%1, %2").arg(language, word(scheme));
+        }
+    }
+    m_sheet.emplace(int(ui::pageCatalog().size()), headings);
+    start();
+}
+
 void Pictures::start()
 {
-    if (!QDir().mkpath(m_folder)) {
-        say(tr("pendesk: the folder %1 cannot be made.").arg(m_folder));
-        return end(LocalFile);
-    }
-    if (!takeAll(QStringLiteral("notconnected")))
-        return end(LocalFile);
     m_window.controller().open();
-    turnTo(0);
+    begin(0);
     m_look.start();
 }
 
@@ -50,7 +74,19 @@ void Pictures::start()
 void Pictures::dress(ui::Scheme scheme)
 {
     m_scheme = scheme;
-    ui::apply(*qApp, scheme);
+    if (ui::schemeOf(QApplication::palette()) != scheme)
+        ui::apply(*qApp, scheme);
+}
+
+void Pictures::begin(int walk)
+{
+    m_walk = walk;
+    dress(m_walks[walk].scheme);
+    if (!m_walks[walk].language.isEmpty()) {
+        ui::speak(*qApp, m_walks[walk].language);
+        QCoreApplication::sendPostedEvents(&m_window, QEvent::LanguageChange); // the pages are made anew
+    }
+    turnTo(0);
 }
 
 void Pictures::turnTo(int row)
@@ -64,24 +100,21 @@ void Pictures::look()
 {
     if (!isLive())
         return;
-    if (!take(m_row, QStringLiteral("live")))
+    if (!take())
         return end(LocalFile);
     if (m_row + 1 < int(ui::pageCatalog().size()))
         return turnTo(m_row + 1);
-    if (m_scheme == ui::Scheme::Light) {
-        dress(ui::Scheme::Dark);
-        return turnTo(0);
-    }
-    printStatus();
-    end(Done);
+    if (m_walk + 1 < int(m_walks.size()))
+        return begin(m_walk + 1);
+    finish();
 }
 
 void Pictures::giveUp()
 {
     const auto &trouble = m_window.controller().trouble();
     const QString why = trouble ? protocol::explain(*trouble) : tr("not everything was read");
-    say(tr("pendesk: no live controller within 5 s: %1.").arg(why));
-    end(takeAll(QStringLiteral("checking")) ? NoAnswer : LocalFile);
+    const bool isKept = m_sheet || saveAll(QStringLiteral("checking"));
+    fail(tr("no live controller within 5 s: %1").arg(why), isKept ? NoAnswer : LocalFile);
 }
 
 /// Everything on the page was read or refused, and two seconds of the link are there to be drawn.
@@ -98,33 +131,53 @@ bool Pictures::isLive() const
         }
         return true;
     };
-    return std::ranges::all_of(m_window.view().pages()[m_row]->topics(), isRead);
+    return std::ranges::all_of(m_window.view().page(m_row)->topics(), isRead);
+}
+
+bool Pictures::take()
+{
+    if (!m_sheet)
+        return save(m_row, QStringLiteral("live"));
+    QCoreApplication::sendPostedEvents(); // layouts
+    m_sheet->add(m_row, m_walk, m_window.grab().toImage());
+    return true;
 }
 
 /// The page in view.
-bool Pictures::take(int row, const QString &state) const
+bool Pictures::save(int row, const QString &state) const
 {
     QCoreApplication::sendPostedEvents(); // layouts
-    const QString scheme = m_scheme == ui::Scheme::Light ? QStringLiteral("light") : QStringLiteral("dark");
     const QString id = QLatin1String(ui::pageCatalog()[std::size_t(row)].id);
-    const QString path = QDir(m_folder).filePath(QStringLiteral("%1-%2-%3.png").arg(id, state, scheme));
+    const QString path = QDir(m_path).filePath(QStringLiteral("%1-%2-%3.png").arg(id, state, word(m_scheme)));
     const bool isSaved = m_window.grab().save(path);
     if (!isSaved)
         say(tr("pendesk: %1 cannot be written.").arg(path));
     return isSaved;
 }
 
-bool Pictures::takeAll(const QString &state)
+bool Pictures::saveAll(const QString &state)
 {
     for (const ui::Scheme scheme : {ui::Scheme::Dark, ui::Scheme::Light}) {
         dress(scheme);
         for (int row = 0; row < int(ui::pageCatalog().size()); ++row) {
             m_window.view().openPage(row);
-            if (!take(row, state))
+            if (!save(row, state))
                 return false;
         }
     }
     return true;
+}
+
+void Pictures::finish()
+{
+    if (!m_walks.first().language.isEmpty())
+        ui::speak(*qApp, m_walks.first().language); // for what is said from here on
+    if (m_sheet && !m_sheet->save(m_path))
+        return fail(tr("%1 cannot be written").arg(m_path), LocalFile);
+    if (!m_sheet)
+        printStatus();
+    std::printf("%s\n", qUtf8Printable(tr("Pictures are in %1").arg(QFileInfo(m_path).absoluteFilePath())));
+    end(Done);
 }
 
 void Pictures::printStatus() const
@@ -149,7 +202,12 @@ void Pictures::printStatus() const
     if (const auto &job = state.job().value)
         print(tr("Executing"),
             ui::jobName(*job, m_window.controller().profile().encoding) + QStringLiteral(", ") + ui::jobPlace(*job));
-    std::printf("%s\n", qUtf8Printable(tr("Pictures are in %1").arg(QDir(m_folder).absolutePath())));
+}
+
+void Pictures::fail(const QString &sentence, int exitCode)
+{
+    say(tr("pendesk: %1.").arg(sentence));
+    end(exitCode);
 }
 
 void Pictures::end(int exitCode)

@@ -13,8 +13,6 @@ namespace journal {
 
 namespace {
 
-QVariant text(const QString &text) { return text.isNull() ? QStringLiteral("") : text; }
-qint64 stamp(const QDateTime &time) { return time.toMSecsSinceEpoch(); }
 QDateTime timeOf(const QVariant &value) { return QDateTime::fromMSecsSinceEpoch(value.toLongLong(), Qt::UTC); }
 
 /// The columns of an alarm, in the order of bound() and alarmFrom().

@@ -52,4 +52,9 @@ private:
     bool m_isDamaged = false;
 };
 
+/// A text as it is stored: one that was never given is empty, not NULL.
+[[nodiscard]] inline QVariant text(const QString &text) { return text.isNull() ? QStringLiteral("") : text; }
+/// A moment as it is stored: milliseconds since 1970, UTC.
+[[nodiscard]] inline qint64 stamp(const QDateTime &time) { return time.toMSecsSinceEpoch(); }
+
 } // namespace journal

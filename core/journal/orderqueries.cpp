@@ -11,8 +11,6 @@ namespace journal {
 namespace {
 
 /// SQL takes an empty QString that is null for NULL.
-QVariant text(const QString &text) { return text.isNull() ? QStringLiteral("") : text; }
-qint64 stamp(const QDateTime &time) { return time.toMSecsSinceEpoch(); }
 
 OrderRecord orderFrom(const QSqlQuery &row)
 {

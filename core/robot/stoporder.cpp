@@ -15,7 +15,7 @@ namespace robot {
 
 namespace {
 
-constexpr auto patience = 2s;
+constexpr auto stopPatience = 2s;
 constexpr auto pause = 50ms; ///< Between a status that does not confirm and the next try.
 
 } // namespace
@@ -27,7 +27,7 @@ StopOrder::StopOrder(Stop stop, session::Session &session, QObject *parent)
 
 void StopOrder::start()
 {
-    QTimer::singleShot(patience, this, [this] { finish(Outcome::Unconfirmed); });
+    QTimer::singleShot(stopPatience, this, [this] { finish(Outcome::Unconfirmed); });
     order();
 }
 

@@ -287,4 +287,16 @@ void ProfileStore::setPagesInWindows(const QStringList &ids)
     m_settings.setValue(QStringLiteral("window/pagesInWindows"), ids);
 }
 
+Appearance ProfileStore::appearance() const
+{
+    return {m_settings.value(QStringLiteral("appearance/language")).toString(),
+        m_settings.value(QStringLiteral("appearance/scheme")).toString()};
+}
+
+void ProfileStore::setAppearance(const Appearance &appearance)
+{
+    m_settings.setValue(QStringLiteral("appearance/language"), appearance.language);
+    m_settings.setValue(QStringLiteral("appearance/scheme"), appearance.scheme);
+}
+
 } // namespace settings

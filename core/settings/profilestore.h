@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "settings/appearance.h"
 #include "settings/notes.h"
 #include "settings/profile.h"
 #include "values/error.h"
@@ -55,6 +56,9 @@ public:
     /// Ids of the pages that had windows of their own; they come back after a restart.
     [[nodiscard]] QStringList pagesInWindows() const;
     void setPagesInWindows(const QStringList &ids);
+
+    [[nodiscard]] Appearance appearance() const;
+    void setAppearance(const Appearance &appearance);
 
     /// What people keep about the controller of that name.
     [[nodiscard]] Notes notes(const QString &name) const { return {m_settings, name}; }

@@ -11,9 +11,6 @@ namespace virtualcontroller {
 
 namespace {
 
-constexpr quint32 lastTool = 63;
-constexpr quint32 lastUserFrame = 63;
-
 quint16 takesAnything(QByteArrayView, int) { return 0; }
 
 Answer loadIo(const Memory &memory, int number, int)

@@ -19,15 +19,15 @@ tl::unexpected<values::Error> wrong(const QString &word, QLatin1StringView what)
 
 std::optional<FaultKind> kindOf(const QString &word)
 {
-    static const QMap<QString, FaultKind> kinds {{QStringLiteral("lose"), FaultKind::Lose},
+    static const QMap<QString, FaultKind> names {{QStringLiteral("lose"), FaultKind::Lose},
         {QStringLiteral("delay"), FaultKind::Delay}, {QStringLiteral("duplicate"), FaultKind::Duplicate},
         {QStringLiteral("reorder"), FaultKind::Reorder}, {QStringLiteral("corrupt"), FaultKind::Corrupt},
         {QStringLiteral("corrupt-anywhere"), FaultKind::CorruptAnywhere},
         {QStringLiteral("truncate"), FaultKind::Truncate}, {QStringLiteral("wrong-id"), FaultKind::WrongId},
         {QStringLiteral("refuse"), FaultKind::Refuse}, {QStringLiteral("silence"), FaultKind::Silence},
         {QStringLiteral("restart"), FaultKind::Restart}};
-    const auto found = kinds.find(word);
-    return found == kinds.end() ? std::nullopt : std::optional {*found};
+    const auto found = names.find(word);
+    return found == names.end() ? std::nullopt : std::optional {*found};
 }
 
 bool takeCommand(FaultRule &rule, const QString &word)

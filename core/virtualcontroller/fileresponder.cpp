@@ -26,9 +26,7 @@ enum Refusal : quint16 {
     ModeChanged = 0xFFFE,
 };
 
-constexpr qsizetype maxFileSize = 16 << 20;
-
-using Answer = std::optional<QByteArray>;
+using FileAnswer = std::optional<QByteArray>;
 
 bool needsName(Service service) { return service != Service::ListFiles; }
 
@@ -142,12 +140,12 @@ QByteArray takeBlock(Transfer &transfer, const ClientPacket &packet, Memory &mem
 }
 
 /// The client's word that a block has come.
-Answer takeAcknowledgement(Transfer &transfer, const ClientPacket &packet, const Memory &memory)
+FileAnswer takeAcknowledgement(Transfer &transfer, const ClientPacket &packet, const Memory &memory)
 {
     if (packet.framing.block != transfer.block)
         return refusalReply(packet, WrongBlock);
     transfer.isOver = transfer.block & lastBlock;
-    return transfer.isOver ? Answer {} : nextBlock(transfer, packet, memory.settings.blockSize);
+    return transfer.isOver ? FileAnswer {} : nextBlock(transfer, packet, memory.settings.blockSize);
 }
 
 /// What ends a transfer from outside; 0 if nothing does.
@@ -159,7 +157,7 @@ quint16 transferFault(const Transfer &transfer, const Memory &memory)
 }
 
 /// A packet within a transfer.
-Answer goOn(QByteArrayView datagram, const ClientPacket &packet, const QByteArray &peer, Memory &memory)
+FileAnswer goOn(QByteArrayView datagram, const ClientPacket &packet, const QByteArray &peer, Memory &memory)
 {
     auto &transfer = memory.transfer;
     const bool belongs =
@@ -172,12 +170,12 @@ Answer goOn(QByteArrayView datagram, const ClientPacket &packet, const QByteArra
     }
     transfer->heard = memory.now;
     if (datagram == transfer->lastPacket)
-        return transfer->lastReply.isEmpty() ? Answer {} : transfer->lastReply;
+        return transfer->lastReply.isEmpty() ? FileAnswer {} : transfer->lastReply;
     if (transfer->isOver)
         return refusalReply(packet, WrongAck);
     const quint32 before = transfer->block;
-    const Answer answer = packet.service == Service::LoadFile ? takeBlock(*transfer, packet, memory)
-                                                              : takeAcknowledgement(*transfer, packet, memory);
+    const FileAnswer answer = packet.service == Service::LoadFile ? takeBlock(*transfer, packet, memory)
+                                                                  : takeAcknowledgement(*transfer, packet, memory);
     if (transfer->block != before || transfer->isOver) {
         transfer->lastPacket = datagram.toByteArray();
         transfer->lastReply = answer.value_or(QByteArray {});

@@ -20,6 +20,10 @@
 
 namespace virtualcontroller {
 
+constexpr quint32 lastTool = 63;
+constexpr quint32 lastUserFrame = 63;
+constexpr qsizetype maxFileSize = 16 << 20; ///< Bytes.
+
 /// How the controller is made: what a real one has as model, parameters and options.
 struct Settings {
     protocol::Model model = protocol::Model::YRC1000;

@@ -18,8 +18,6 @@ namespace virtualcontroller {
 namespace {
 
 constexpr quint32 fullSpeed = 10000; ///< 100 % in 0.01 %.
-constexpr quint32 lastTool = 63;
-constexpr quint32 lastUserFrame = 63;
 constexpr quint32 formBits = 0xFF;
 
 /// Exactly one group, and it is configured.

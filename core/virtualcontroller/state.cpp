@@ -122,7 +122,6 @@ void takeInterlocks(const StateValue &value, Memory &memory)
 
 void takeFiles(const StateValue &value, Memory &memory)
 {
-    constexpr qsizetype maxFileSize = 16 << 20;
     for (const auto &[name, file] : value.entries())
         memory.files[name.toLatin1()] = file.text(maxFileSize);
 }

@@ -53,7 +53,14 @@ public:
         return status && status->isRunning();
     }
     [[nodiscard]] robot::Orders &orders() const { return window.view().orders(); }
-    [[nodiscard]] pages::Page *page() const { return window.view().pages()[pageRow()]; }
+    static int pageRow()
+    {
+        const auto rows = ui::pageCatalog();
+        const auto found = std::ranges::find_if(
+            rows, [](const ui::PageRow &row) { return QLatin1String(row.id) == QLatin1String("jobs"); });
+        return int(found - rows.begin());
+    }
+    [[nodiscard]] pages::Page *page() const { return window.view().page(pageRow()); }
     [[nodiscard]] QAbstractItemView *list() const
     {
         return page()->findChild<QAbstractItemView *>(QStringLiteral("jobList"));
@@ -95,12 +102,4 @@ public:
             QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(found.first()).center());
     }
 
-private:
-    static int pageRow()
-    {
-        const auto rows = ui::pageCatalog();
-        const auto found = std::ranges::find_if(
-            rows, [](const ui::PageRow &row) { return QLatin1String(row.id) == QLatin1String("jobs"); });
-        return int(found - rows.begin());
-    }
 };

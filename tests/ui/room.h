@@ -32,12 +32,12 @@ struct Room {
         harness.window.show();
         harness.window.connectTo(profile);
         harness.access.enter(robot::Level::Engineer);
-        page = harness.window.view().findChild<pages::Page *>(QLatin1String(id) + QStringLiteral("Page"));
         auto *entry = harness.window.findChild<QPushButton *>(QLatin1String(id) + QStringLiteral("Entry"));
-        if (!page || !entry || !QTest::qWaitForWindowExposed(&harness.window))
+        if (!entry || !QTest::qWaitForWindowExposed(&harness.window))
             return false;
         QTest::mouseClick(entry, Qt::LeftButton);
-        if (!activate()) // keys go where the focus is
+        page = harness.window.view().findChild<pages::Page *>(QLatin1String(id) + QStringLiteral("Page"));
+        if (!page || !activate()) // keys go where the focus is
             return false;
         return QTest::qWaitFor(
             [this] { return harness.window.controller().linkState() == robot::LinkState::Monitoring && isLive(); });

@@ -119,7 +119,7 @@ private Q_SLOTS:
     {
         QFETCH(int, row);
         m_harness.window.view().openPage(row);
-        pages::Page *page = m_harness.window.view().pages()[row];
+        pages::Page *page = m_harness.window.view().page(row);
         QTRY_VERIFY(page->isVisible());
         Reader reader;
         reader.read(QAccessible::queryAccessibleInterface(page));

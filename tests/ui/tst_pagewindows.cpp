@@ -34,15 +34,15 @@ void TestPageWindows::aPageMovesAndComesBack()
     QVERIFY(harness.connectLive());
     auto &view = harness.window.view();
     view.openInWindow(second());
-    QTRY_VERIFY(view.pages()[0]->isVisible() && view.pages()[1]->isVisible());
+    QTRY_VERIFY(view.page(0)->isVisible() && view.page(1)->isVisible());
     QCOMPARE(view.pagesInWindows(), QStringList(second()));
     ui::PageWindow *window = windowOf(harness, ui::pageCatalog()[1].id);
     QVERIFY(window);
     window->close();
-    QTRY_VERIFY(!view.pages()[1]->isVisible());
+    QTRY_VERIFY(!view.page(1)->isVisible());
     QVERIFY(view.pagesInWindows().isEmpty());
     view.openPage(1);
-    QTRY_VERIFY(view.pages()[1]->isVisible());
+    QTRY_VERIFY(view.page(1)->isVisible());
 }
 
 void TestPageWindows::theWindowHasHold()

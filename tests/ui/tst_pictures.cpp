@@ -90,7 +90,7 @@ bool visitAllPages(Harness &harness)
 {
     for (int row = 0; row < int(ui::pageCatalog().size()); ++row) {
         harness.window.view().openPage(row);
-        const pages::Page *page = harness.window.view().pages()[row];
+        const pages::Page *page = harness.window.view().page(row);
         const bool isRead = QTest::qWaitFor([&] {
             return std::ranges::all_of(page->topics(), [&](const robot::TopicRange &range) {
                 return harness.state().freshness({range.kind, range.last}) != robot::Freshness::Unknown;

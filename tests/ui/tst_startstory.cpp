@@ -37,7 +37,7 @@ void closeAllButSheet(JobsHarness &harness)
         if (dialog != harness.sheet())
             dialog->close();
     }
-    harness.window.view().openPage(int(harness.window.view().pages().indexOf(harness.page())));
+    harness.window.view().openPage(harness.pageRow());
 }
 
 /// Who gets what is typed now.

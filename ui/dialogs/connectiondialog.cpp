@@ -16,7 +16,7 @@ using settings::Profile;
 
 namespace {
 
-QPushButton *button(const char *name, const QString &words)
+QPushButton *profileButton(const char *name, const QString &words)
 {
     auto *result = new QPushButton(words);
     result->setObjectName(QLatin1String(name));
@@ -30,12 +30,12 @@ ConnectionDialog::ConnectionDialog(settings::ProfileStore &store, const QString 
     : QDialog(parent),
       m_store {store},
       m_list {new QListWidget},
-      m_duplicate {button("duplicateProfile", tr("Duplicate"))},
-      m_remove {button("removeProfile", tr("Remove"))},
+      m_duplicate {profileButton("duplicateProfile", tr("Duplicate"))},
+      m_remove {profileButton("removeProfile", tr("Remove"))},
       m_form {new ProfileForm},
       m_complaint {widgets::sentence({}, ui::Role::Amber)},
-      m_save {button("saveProfile", tr("Save"))},
-      m_connect {button("connectProfile", tr("Connect"))},
+      m_save {profileButton("saveProfile", tr("Save"))},
+      m_connect {profileButton("connectProfile", tr("Connect"))},
       m_ladder {new LadderView}
 {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -58,7 +58,7 @@ QWidget *ConnectionDialog::listColumn()
     auto *result = new QWidget;
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, 0, 0);
-    QPushButton *addButton = button("addProfile", tr("Add"));
+    QPushButton *addButton = profileButton("addProfile", tr("Add"));
     m_list->setObjectName(QStringLiteral("profileList"));
     m_list->setAccessibleName(tr("Known controllers"));
     column->addWidget(widgets::text(tr("CONTROLLERS"), ui::Type::Heading, ui::Role::Text2));

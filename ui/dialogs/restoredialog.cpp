@@ -18,7 +18,7 @@ namespace dialogs {
 
 namespace {
 
-QPushButton *button(const QString &text, const char *name)
+QPushButton *restoreButton(const QString &text, const char *name)
 {
     auto *result = new QPushButton(text);
     result->setObjectName(QLatin1String(name));
@@ -35,9 +35,9 @@ RestoreDialog::RestoreDialog(
       m_plan {plan},
       m_items {new QTreeWidget},
       m_state {widgets::sentence({}, ui::Role::Text1)},
-      m_go {button({}, "startRestore")},
-      m_putBack {button(tr("Put that file back"), "putBack")},
-      m_close {button(tr("Close"), "closeRestore")}
+      m_go {restoreButton({}, "startRestore")},
+      m_putBack {restoreButton(tr("Put that file back"), "putBack")},
+      m_close {restoreButton(tr("Close"), "closeRestore")}
 {
     setObjectName(QStringLiteral("restoreDialog"));
     const QString time = QLocale().toString(taken.toLocalTime(), QLocale::ShortFormat);

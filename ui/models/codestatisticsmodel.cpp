@@ -22,7 +22,7 @@ constexpr const char *statisticsTitles[] {
 };
 static_assert(std::size(statisticsTitles) == CodeStatisticsModel::columns);
 
-int alignment(int column)
+int statisticsAlignment(int column)
 {
     const bool isText = column == CodeStatisticsModel::Name || column == CodeStatisticsModel::Last;
     return int((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -77,14 +77,14 @@ QVariant CodeStatisticsModel::headerData(int section, Qt::Orientation orientatio
         return {};
     if (role == Qt::DisplayRole)
         return tr(statisticsTitles[section]);
-    return role == Qt::TextAlignmentRole ? QVariant(alignment(section)) : QVariant();
+    return role == Qt::TextAlignmentRole ? QVariant(statisticsAlignment(section)) : QVariant();
 }
 
 QVariant CodeStatisticsModel::data(const QModelIndex &index, int role) const
 {
     const journal::CodeStatistics &row = m_rows[index.row()];
     if (role == Qt::TextAlignmentRole)
-        return alignment(index.column());
+        return statisticsAlignment(index.column());
     if (role == widgets::BoldRole)
         return index.column() == Code;
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)

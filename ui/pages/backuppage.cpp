@@ -180,17 +180,23 @@ void BackupPage::reload()
     updateButtons();
 }
 
+bool BackupPage::isBusy() const { return (m_backup && !m_backup->isOver()) || (m_snapshot && !m_snapshot->isOver()); }
+
+QString BackupPage::unfinished() const
+{
+    return isBusy() ? tr("Files are still being read for a backup or a comparison.") : QString();
+}
+
 void BackupPage::updateButtons()
 {
     const auto entry = m_timeline->chosen();
-    const bool isBusy = (m_backup && !m_backup->isOver()) || (m_snapshot && !m_snapshot->isOver());
-    m_backUp->setEnabled(m_isUp && !isBusy);
+    m_backUp->setEnabled(m_isUp && !isBusy());
     m_verify->setEnabled(entry && !m_verifying.isRunning());
     m_export->setEnabled(entry && !m_exporting.isRunning());
     m_pin->setEnabled(entry.has_value());
     m_pin->setText(entry && entry->isPinned ? tr("Unpin") : tr("Pin"));
-    m_compare->setEnabled(entry && entry->isReadable && !isBusy);
-    m_restore->setComplaint(!entry ? tr("Choose a backup first.") : isBusy ? tr("Files are being read.") : QString());
+    m_compare->setEnabled(entry && entry->isReadable && !isBusy());
+    m_restore->setComplaint(!entry ? tr("Choose a backup first.") : isBusy() ? tr("Files are being read.") : QString());
 }
 
 files::BackupOrder BackupPage::order() const

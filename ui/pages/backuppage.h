@@ -30,6 +30,7 @@ class BackupPage : public Page
 public:
     explicit BackupPage(const Context &context, QWidget *parent = nullptr);
 
+    [[nodiscard]] QString unfinished() const override;
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
     void showLink(const ui::LinkView &link) override;
 
@@ -45,6 +46,7 @@ protected:
     [[nodiscard]] bool needsLink() const override { return m_context.profile.name.isEmpty(); }
 
 private:
+    [[nodiscard]] bool isBusy() const;
     QWidget *timelineCard();
     void fillComparison();
     [[nodiscard]] files::Archive archive() const;

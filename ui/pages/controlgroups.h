@@ -7,6 +7,8 @@
 
 namespace pages {
 
+constexpr int usualAxes = 6; ///< Rows shown until the controller tells how many.
+
 /// The axis names of every control group that the model may have, by pulse instances (reference §2.1): whoever answers
 /// is there.
 [[nodiscard]] QList<robot::TopicRange> groupTopics(const protocol::Dialect &dialect);

@@ -5,8 +5,8 @@
 #include "files/localname.h"
 #include "files/preflight.h"
 #include "protocol/codes.h"
-#include "ui/pages/files/parts.h"
 #include "ui/pages/files/filepane.h"
+#include "ui/pages/files/parts.h"
 #include "ui/pages/files/queuecard.h"
 #include "ui/pages/files/remotefile.h"
 #include "ui/widgets/orderbutton.h"
@@ -108,6 +108,11 @@ QWidget *FilesPage::between()
         column->addWidget(each);
     column->addStretch();
     return result;
+}
+
+QString FilesPage::unfinished() const
+{
+    return m_queue.isIdle() ? QString() : tr("Files are still being transferred.");
 }
 
 QList<robot::TopicRange> FilesPage::topics() const { return {robot::topics::status, robot::topics::masterJob}; }

@@ -26,6 +26,7 @@ class FilesPage : public Page
 public:
     explicit FilesPage(const Context &context, QWidget *parent = nullptr);
 
+    [[nodiscard]] QString unfinished() const override;
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
     void showLink(const ui::LinkView &link) override;
 

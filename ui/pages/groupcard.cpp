@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/groupcard.h"
 
+#include "ui/pages/controlgroups.h"
 #include "ui/widgets/valuegrid.h"
 #include "ui/words.h"
 
@@ -11,8 +12,6 @@ using robot::Kind;
 using robot::Topic;
 
 namespace {
-
-constexpr int usualAxes = 6; ///< Rows shown until the controller tells how many.
 
 /// What was is this computer's own knowledge, and never stale.
 widgets::Shown bound(const values::Position &position, int axis, qint32 word)

@@ -20,14 +20,14 @@ QString step(const ExecutingJob &job, Encoding) { return QLocale().toString(job.
 
 QString speedOverride(const ExecutingJob &job, Encoding) { return ui::overrideText(job); }
 
-struct Field {
+struct JobRow {
     const char *name;
     const char *title;
     QString (*text)(const ExecutingJob &, Encoding);
     int stretch;
 };
 
-constexpr Field fields[] {
+constexpr JobRow jobRows[] {
     {"job", QT_TRANSLATE_NOOP("pages::JobCard", "Job"), ui::jobName, 4},
     {"line", QT_TRANSLATE_NOOP("pages::JobCard", "Line"), line, 1},
     {"step", QT_TRANSLATE_NOOP("pages::JobCard", "Step"), step, 1},
@@ -42,7 +42,7 @@ JobCard::JobCard(const robot::RobotState &state, protocol::Encoding encoding, QW
     setNote(tr("master task"));
     auto *row = new QHBoxLayout;
     row->setSpacing(ui::space::gap);
-    for (const Field &field : fields) {
+    for (const JobRow &field : jobRows) {
         auto *widget = new widgets::StateField(tr(field.title), ui::Type::State);
         widget->value()->setObjectName(QLatin1String(field.name));
         row->addWidget(widget, field.stretch);
@@ -62,7 +62,7 @@ void JobCard::onChanged(const robot::TopicRange &range)
     const auto freshness = m_state.freshness(robot::topics::masterJob);
     for (qsizetype i = 0; i < m_fields.size(); ++i) {
         const auto word = [this, i](
-                              const ExecutingJob &job) { return widgets::Word {fields[i].text(job, m_encoding)}; };
+                              const ExecutingJob &job) { return widgets::Word {jobRows[i].text(job, m_encoding)}; };
         m_fields[i]->show(widgets::shown(m_state.job(), freshness, word));
     }
     setReason(freshness == robot::Freshness::Refused ? m_fields.front()->value()->shown().note : QString());

@@ -56,7 +56,7 @@ void addNames(QComboBox *box, const QStringList &wanted, QString (*title)(const 
     }
 }
 
-constexpr int wideEnough = 1100;
+constexpr int wideEnoughForAll = 1100;
 
 QString itself(const QString &name) { return name; }
 
@@ -160,7 +160,7 @@ void JournalPage::resizeEvent(QResizeEvent *event)
 {
     Page::resizeEvent(event);
     for (const int column : {OrderModel::Host, OrderModel::Level, OrderModel::Duration, OrderModel::User})
-        m_table->setColumnHidden(column, width() < wideEnough);
+        m_table->setColumnHidden(column, width() < wideEnoughForAll);
 }
 
 void JournalPage::fillChoices()

@@ -12,7 +12,7 @@ class QStackedLayout;
 namespace robot {
 class NameBook;
 class NumberingGuard;
-}
+} // namespace robot
 
 namespace settings {
 class ProfileStore;
@@ -56,6 +56,8 @@ public:
     [[nodiscard]] virtual QList<robot::TopicRange> topics() const = 0;
     /// Called once after creation and whenever the link has something new to say. Call it from an override.
     virtual void showLink(const ui::LinkView &link);
+    /// What would be lost if the page went away now, as a whole sentence; empty if nothing would.
+    [[nodiscard]] virtual QString unfinished() const { return {}; }
     /// Twice a second.
     virtual void showStatistics(const session::LinkStatistics &) { }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/positioncard.h"
 
+#include "ui/pages/controlgroups.h"
 #include "ui/widgets/valuelabel.h"
 #include "ui/words.h"
 #include <QGridLayout>
@@ -16,7 +17,6 @@ using widgets::ValueLabel;
 namespace {
 
 constexpr int rowGap = 9;
-constexpr int usualAxes = 6; ///< Rows shown until the controller tells how many.
 
 ValueLabel *valueLabel(const QString &name, ui::Type type, const QString &reserve)
 {

@@ -28,7 +28,7 @@ constexpr Place positionWide[] {{0, 0}, {0, 1}, {1, 0, 1, 2}};
 constexpr Place positionNarrow[] {{0, 0}, {1, 0}, {2, 0}};
 constexpr widgets::Arrangement positionBoards[] {{2, positionWide}, {1, positionNarrow}};
 
-QPushButton *button(const QString &name, const QString &words)
+QPushButton *positionButton(const QString &name, const QString &words)
 {
     auto *result = new QPushButton(words);
     result->setObjectName(name);
@@ -70,8 +70,8 @@ QWidget *PositionPage::header()
     m_tabs->setDrawBase(false);
     m_tabs->setExpanding(false);
     m_note->setObjectName(QStringLiteral("groupNote"));
-    auto *resetButton = button(QStringLiteral("resetExtremes"), tr("Reset min and max"));
-    auto *copyButton = button(QStringLiteral("copyPosition"), tr("Copy as text"));
+    auto *resetButton = positionButton(QStringLiteral("resetExtremes"), tr("Reset min and max"));
+    auto *copyButton = positionButton(QStringLiteral("copyPosition"), tr("Copy as text"));
     auto *result = new QWidget;
     auto *row = new QHBoxLayout(result);
     row->setContentsMargins(ui::space::page, 10, ui::space::page, 0);

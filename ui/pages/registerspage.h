@@ -15,6 +15,7 @@ public:
     explicit RegistersPage(const Context &context, QWidget *parent = nullptr);
 
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
+    [[nodiscard]] QString unfinished() const override { return unfinishedEdits(m_edits); }
 
 private:
     void choose(variables::Base base);

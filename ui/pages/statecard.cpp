@@ -12,7 +12,7 @@ namespace pages {
 
 namespace {
 
-struct Field {
+struct StateRow {
     const char *name;
     const char *title;
     widgets::Word (*word)(const values::Status &);
@@ -21,7 +21,7 @@ struct Field {
     int span; ///< Of six columns.
 };
 
-constexpr Field fields[] {
+constexpr StateRow stateRows[] {
     {"mode", QT_TRANSLATE_NOOP("pages::StateCard", "Mode"), ui::modeWord, 0, 0, 3},
     {"cycle", QT_TRANSLATE_NOOP("pages::StateCard", "Cycle"), ui::cycleWord, 0, 3, 3},
     {"servo", QT_TRANSLATE_NOOP("pages::StateCard", "Servo"), ui::servoWord, 1, 0, 3},
@@ -59,7 +59,7 @@ StateCard::StateCard(const robot::RobotState &state, QWidget *parent) : Card(tr(
     grid->setSpacing(0);
     for (int column = 0; column < 6; ++column)
         grid->setColumnStretch(column, 1);
-    for (const Field &field : fields) {
+    for (const StateRow &field : stateRows) {
         auto *widget = new widgets::StateField(tr(field.title), ui::Type::State);
         widget->layout()->setContentsMargins(12, 5, 10, 6);
         widget->value()->setObjectName(QLatin1String(field.name));
@@ -77,7 +77,7 @@ void StateCard::onChanged(const robot::TopicRange &range)
         return;
     const auto freshness = m_state.freshness(robot::topics::status);
     for (qsizetype i = 0; i < m_fields.size(); ++i)
-        m_fields[i]->show(widgets::shown(m_state.status(), freshness, fields[i].word));
+        m_fields[i]->show(widgets::shown(m_state.status(), freshness, stateRows[i].word));
     setReason(freshness == robot::Freshness::Refused ? m_fields.front()->value()->shown().note : QString());
 }
 

@@ -43,7 +43,7 @@ QString spanText(std::chrono::seconds span)
 /// A view without a ground of its own.
 void setOnCard(QAbstractItemView *view) { view->viewport()->setAutoFillBackground(false); }
 
-QPushButton *button(const char *name, const QString &words)
+QPushButton *trendButton(const char *name, const QString &words)
 {
     auto *result = new QPushButton(words);
     result->setObjectName(QLatin1String(name));
@@ -101,12 +101,12 @@ QWidget *TrendPage::toolBar()
     auto *result = new QWidget;
     auto *row = new QHBoxLayout(result);
     row->setContentsMargins(0, 0, 0, 0);
-    auto *addButton = button("addSignal", tr("Add signal…"));
-    auto *exportButton = button("exportCsv", tr("Export CSV…"));
-    m_pause = button("pauseTrend", tr("Pause"));
+    auto *addButton = trendButton("addSignal", tr("Add signal…"));
+    auto *exportButton = trendButton("exportCsv", tr("Export CSV…"));
+    m_pause = trendButton("pauseTrend", tr("Pause"));
     m_pause->setCheckable(true);
     m_pause->setToolTip(tr("Freezes the view; recording goes on."));
-    m_live = button("backToLive", tr("Back to live"));
+    m_live = trendButton("backToLive", tr("Back to live"));
     m_live->setProperty("primary", true);
     m_live->hide();
     m_span = new QComboBox;
@@ -161,7 +161,7 @@ QWidget *TrendPage::trackCard()
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(models::TrackModel::Label, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
-    auto *removeButton = button("removeSignal", tr("Remove from trend"));
+    auto *removeButton = trendButton("removeSignal", tr("Remove from trend"));
     removeButton->setToolTip(QKeySequence(Qt::Key_Delete).toString(QKeySequence::NativeText));
     card->body()->addWidget(m_table, 1);
     card->body()->addWidget(removeButton, 0, Qt::AlignLeft);
@@ -183,7 +183,7 @@ QWidget *TrendPage::incidentCard()
     m_list->setFrameShape(QFrame::NoFrame);
     setOnCard(m_list);
     m_list->setMinimumHeight(3 * rowHeight);
-    auto *openButton = button("openIncident", tr("Open incident"));
+    auto *openButton = trendButton("openIncident", tr("Open incident"));
     auto *none = widgets::sentence(tr("No alarm has been recorded yet."), ui::Role::Text2);
     none->setObjectName(QStringLiteral("noIncidents"));
     const auto showNone = [this, none] { none->setVisible(m_incidents->rowCount() == 0); };

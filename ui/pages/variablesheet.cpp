@@ -289,4 +289,10 @@ void VariableSheet::exportFile()
         m_transfer->exportTo(path, m_model->variables());
 }
 
+QString unfinishedEdits(const robot::Edits &edits)
+{
+    const int count = int(edits.staged().edits().size());
+    return count == 0 ? QString() : VariableSheet::tr("%n staged value(s) were not applied.", nullptr, count);
+}
+
 } // namespace pages

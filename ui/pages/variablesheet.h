@@ -88,4 +88,7 @@ private:
     VariableTransfer *m_transfer;
 };
 
+/// For Page::unfinished(): says how many edits are staged and not applied.
+[[nodiscard]] QString unfinishedEdits(const robot::Edits &edits);
+
 } // namespace pages

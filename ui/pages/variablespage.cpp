@@ -17,7 +17,7 @@ using variables::Reference;
 
 namespace {
 
-const QString watchSubject = QStringLiteral("watchPages");
+const QString watchPagesSubject = QStringLiteral("watchPages");
 const QString pagesKey = QStringLiteral("pages");
 const QString nameKey = QStringLiteral("name");
 const QString variablesKey = QStringLiteral("variables");
@@ -94,7 +94,8 @@ void VariablesPage::goTo(const Reference &variable)
 
 void VariablesPage::loadWatchPages()
 {
-    const QJsonArray pages = m_store.notes(m_orders.controller().profile().name).read(watchSubject)[pagesKey].toArray();
+    const QJsonArray pages =
+        m_store.notes(m_orders.controller().profile().name).read(watchPagesSubject)[pagesKey].toArray();
     for (const QJsonValue &page : pages) {
         QList<Reference> variables;
         for (const QJsonValue &text : page[variablesKey].toArray()) {
@@ -117,7 +118,7 @@ void VariablesPage::keepWatchPages()
         pages << QJsonObject {{nameKey, tab.name}, {variablesKey, list}};
     }
     const QJsonObject json = pages.isEmpty() ? QJsonObject {} : QJsonObject {{pagesKey, pages}};
-    m_store.notes(m_orders.controller().profile().name).write(watchSubject, json);
+    m_store.notes(m_orders.controller().profile().name).write(watchPagesSubject, json);
 }
 
 void VariablesPage::addWatchPage(const QString &name)

@@ -21,6 +21,7 @@ public:
     explicit VariablesPage(const Context &context, QWidget *parent = nullptr);
 
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
+    [[nodiscard]] QString unfinished() const override { return unfinishedEdits(m_edits); }
 
     /// Opens the tab of the variable and makes it current.
     void goTo(const variables::Reference &variable);

@@ -12,7 +12,7 @@ using robot::Verdict;
 
 namespace {
 
-QString mark(Verdict verdict)
+QString markOf(Verdict verdict)
 {
     switch (verdict) {
     case Verdict::Met: return QStringLiteral("✓");
@@ -67,7 +67,7 @@ void ConditionList::showFinding(const Row &row, const robot::Finding &finding) c
     const QString title = isWrong ? ui::complaint(finding.condition) : ui::title(finding.condition);
     const QString words = isKnown ? title : tr("%1 — %2").arg(title, ui::word(finding.verdict));
     const QString remedy = isWrong ? ui::remedy(finding.condition, m_orders.controller().profile().model) : QString();
-    row.mark->setText(mark(finding.verdict));
+    row.mark->setText(markOf(finding.verdict));
     row.words->setText(words);
     row.words->setAccessibleName(tr("%1: %2").arg(title, ui::word(finding.verdict)));
     row.remedy->setText(remedy);

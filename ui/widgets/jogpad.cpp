@@ -15,7 +15,7 @@ namespace widgets {
 namespace {
 
 constexpr int columns = 6;
-constexpr int side = 52; ///< Pixels: wide enough for a finger.
+constexpr int padSide = 52; ///< Pixels: wide enough for a finger.
 
 } // namespace
 
@@ -23,7 +23,7 @@ JogButton::JogButton(const QString &text, QWidget *parent) : QPushButton(text, p
 {
     setAutoDefault(false);
     setAutoRepeat(false);
-    setMinimumSize(side, side);
+    setMinimumSize(padSide, padSide);
     setFocusPolicy(Qt::StrongFocus);
 }
 

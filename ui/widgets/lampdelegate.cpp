@@ -10,7 +10,7 @@ using robot::Freshness;
 
 namespace {
 
-constexpr int gridLampSide = 18;
+constexpr int lampRoom = 18;
 constexpr int lampMargin = 8;
 
 ui::Role nameRole(const models::Lamp &lamp)
@@ -50,11 +50,10 @@ void LampDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, 
     const ui::Scheme scheme = ui::schemeOf(option.palette);
     painter->save();
     paintGround(painter, option, index);
-    const QRect square(
-        option.rect.left() + lampMargin, option.rect.center().y() - gridLampSide / 2, gridLampSide, gridLampSide);
+    const QRect square(option.rect.left() + lampMargin, option.rect.center().y() - lampRoom / 2, lampRoom, lampRoom);
     painter->setFont(ui::font(ui::Type::Label));
     paintSignal(*painter, square, lamp, scheme);
-    const QRect words = option.rect.adjusted(lampMargin + gridLampSide + lampMargin, 2, -4, -3);
+    const QRect words = option.rect.adjusted(lampMargin + lampRoom + lampMargin, 2, -4, -3);
     const QFontMetrics metrics = painter->fontMetrics();
     const auto line = [&](const QRect &room, const QString &text, ui::Role role) {
         painter->setPen(ui::color(role, scheme));

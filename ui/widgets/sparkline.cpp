@@ -12,7 +12,7 @@ namespace widgets {
 namespace {
 
 constexpr int secondsShown = 60;
-constexpr qreal mark = 7; ///< Side of the triangle of a lost try.
+constexpr qreal lossMark = 7; ///< Side of the triangle of a lost try.
 constexpr std::chrono::microseconds leastScale {1000}; ///< A line of 0.2 ms does not fill the height.
 
 } // namespace
@@ -45,7 +45,7 @@ std::chrono::microseconds Sparkline::longest() const
     return result;
 }
 
-QRectF Sparkline::plot() const { return QRectF(rect()).adjusted(mark, 4, -mark, -mark - 4); }
+QRectF Sparkline::plot() const { return QRectF(rect()).adjusted(lossMark, 4, -lossMark, -lossMark - 4); }
 
 qreal Sparkline::xOf(std::size_t index) const
 {
@@ -88,7 +88,8 @@ void Sparkline::paintMissed(QPainter &painter) const
     const ui::Scheme scheme = ui::schemeOf(palette());
     for (std::size_t i = 0; i < m_seconds.size(); ++i) {
         if (m_seconds[i].missed > 0)
-            paintLamp(painter, QRectF(xOf(i) - mark / 2, plot().bottom() + 3, mark, mark), Lamp::Warning, scheme);
+            paintLamp(
+                painter, QRectF(xOf(i) - lossMark / 2, plot().bottom() + 3, lossMark, lossMark), Lamp::Warning, scheme);
     }
 }
 

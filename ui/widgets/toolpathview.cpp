@@ -15,7 +15,7 @@ using trend::PathPoint;
 namespace {
 
 constexpr qreal leastSpan = 10; ///< Millimetres in the shorter direction, so that a standing robot is no microscope.
-constexpr qreal markSide = 9;
+constexpr qreal pathMargin = 9;
 
 struct Axes {
     std::size_t right;
@@ -84,7 +84,7 @@ void ToolPathView::describe()
             .trimmed());
 }
 
-QRectF ToolPathView::plot() const { return QRectF(rect()).adjusted(markSide, 22, -markSide, -24); }
+QRectF ToolPathView::plot() const { return QRectF(rect()).adjusted(pathMargin, 22, -pathMargin, -24); }
 
 QPointF ToolPathView::millimetres(const PathPoint &point) const
 {
@@ -178,11 +178,11 @@ void ToolPathView::paintMarks(QPainter &painter) const
     painter.setPen(QPen(ink, 1.5));
     painter.setBrush(ui::color(ui::Role::Card, this));
     const QPointF start = placeOf(m_path->points().front());
-    painter.drawRect(QRectF(start.x() - markSide / 2, start.y() - markSide / 2, markSide, markSide));
+    painter.drawRect(QRectF(start.x() - pathMargin / 2, start.y() - pathMargin / 2, pathMargin, pathMargin));
     const QPointF now = placeOf(m_path->points().back());
-    painter.drawEllipse(now, markSide / 2 + 1.5, markSide / 2 + 1.5);
+    painter.drawEllipse(now, pathMargin / 2 + 1.5, pathMargin / 2 + 1.5);
     painter.setBrush(ink);
-    painter.drawEllipse(now, markSide / 4, markSide / 4);
+    painter.drawEllipse(now, pathMargin / 4, pathMargin / 4);
 }
 
 /// A bar of a round length at the lower left.

@@ -39,7 +39,7 @@ struct Desk : Harness {
             return nullptr;
         window.resize(1440, 900);
         window.view().openPage(rowOf(id));
-        auto *page = qobject_cast<Shown *>(window.view().pages()[rowOf(id)]);
+        auto *page = qobject_cast<Shown *>(window.view().page(rowOf(id)));
         QCoreApplication::processEvents();
         return page;
     }

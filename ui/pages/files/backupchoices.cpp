@@ -8,7 +8,7 @@ namespace pages {
 
 namespace {
 
-const QString subject = QStringLiteral("backup");
+const QString choicesSubject = QStringLiteral("backup");
 
 QString usualFolder()
 {
@@ -19,7 +19,7 @@ QString usualFolder()
 
 BackupChoices readBackupChoices(const settings::Notes &notes)
 {
-    const QJsonObject json = notes.read(subject);
+    const QJsonObject json = notes.read(choicesSubject);
     const QString folder = json.value(u"folder").toString();
     return {folder.isEmpty() ? usualFolder() : folder,
         {std::max(0, json.value(u"keep").toInt()), std::max(0, json.value(u"keepDays").toInt())}};
@@ -27,7 +27,7 @@ BackupChoices readBackupChoices(const settings::Notes &notes)
 
 void writeBackupChoices(settings::Notes notes, const BackupChoices &choices)
 {
-    notes.write(subject,
+    notes.write(choicesSubject,
         {{QStringLiteral("folder"), choices.folder}, {QStringLiteral("keep"), choices.retention.count},
             {QStringLiteral("keepDays"), choices.retention.days}});
 }

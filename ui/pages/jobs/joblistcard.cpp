@@ -17,14 +17,14 @@ using values::FileName;
 
 namespace {
 
-const QString subject = QStringLiteral("favourite jobs");
-const QString names = QStringLiteral("names");
+const QString favouritesSubject = QStringLiteral("favourite jobs");
+const QString favouritesKey = QStringLiteral("names");
 
 /// Names are bytes in the controller's encoding; in the settings they stand as hex, so that none is lost.
 QSet<QByteArray> readFavourites(const settings::Notes &notes)
 {
     QSet<QByteArray> result;
-    for (const QJsonValue &name : notes.read(subject).value(names).toArray())
+    for (const QJsonValue &name : notes.read(favouritesSubject).value(favouritesKey).toArray())
         result << QByteArray::fromHex(name.toString().toLatin1());
     return result;
 }
@@ -35,7 +35,8 @@ void writeFavourites(settings::Notes notes, const QSet<QByteArray> &favourites)
     for (const QByteArray &name : favourites)
         sorted << QString::fromLatin1(name.toHex());
     sorted.sort();
-    notes.write(subject, sorted.isEmpty() ? QJsonObject {} : QJsonObject {{names, QJsonArray::fromStringList(sorted)}});
+    notes.write(favouritesSubject,
+        sorted.isEmpty() ? QJsonObject {} : QJsonObject {{favouritesKey, QJsonArray::fromStringList(sorted)}});
 }
 
 } // namespace
