@@ -18,8 +18,8 @@ enum class ActionId {
     Demo,
     Diagnose,
     CopyDiagnosis,
-    Readiness,
     Appearance,
+    Readiness,
     Help,
     About,
     Quit

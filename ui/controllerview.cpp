@@ -66,7 +66,7 @@ ControllerView::ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStor
         if (m_barAction)
             m_actions.action(*m_barAction)->trigger();
     });
-    const auto *contact = new FirstContact(controller(), store, this);
+    const auto *contact = new FirstContact(controller(), m_store, this);
     connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
     follow();
     followJournal();
@@ -175,6 +175,7 @@ void ControllerView::openPage(int row)
         m_stack->setCurrentWidget(page(row));
     }
     m_rail->showPage(row);
+    m_pageInView = row;
     Q_EMIT pageOpened(row);
 }
 

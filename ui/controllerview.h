@@ -50,6 +50,8 @@ public:
     [[nodiscard]] QStringList unfinished() const;
     /// Brings the page in view, in its own window if it has one.
     void openPage(int row);
+    /// Row of the page that was opened last.
+    [[nodiscard]] int pageInView() const { return m_pageInView; }
     /// Gives the page a window of its own, beside this one; closing it brings the page back. Pages are told by the
     /// catalogue's ids.
     void openInWindow(const QString &id);
@@ -99,6 +101,7 @@ private:
     widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
     widgets::MessageBar *m_journalBar; ///< On every page while the journal fails.
     QStackedWidget *m_stack;
+    int m_pageInView = 0;
     QList<pages::Page *> m_pages; ///< In the order of the page catalogue; nullptr until it is opened.
     robot::Poller::Interest m_stripInterest;
     QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.

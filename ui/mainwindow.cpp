@@ -132,7 +132,7 @@ void MainWindow::show(std::shared_ptr<Desk> desk)
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
     connect(m_view, &ControllerView::pageOpened, this, &MainWindow::showHelpOf);
-    showHelpOf(m_view->openRow());
+    showHelpOf(m_view->pageInView());
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
     const settings::Profile &profile = controller().profile();
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));
@@ -219,8 +219,8 @@ void MainWindow::run(ActionId id)
     case ActionId::Demo: return openDemo();
     case ActionId::Diagnose: return openDiagnosis();
     case ActionId::CopyDiagnosis: return copyDiagnosis();
-    case ActionId::Readiness: return m_view->showReadiness();
     case ActionId::Appearance: return openAppearance();
+    case ActionId::Readiness: return m_view->showReadiness();
     case ActionId::Help: return openHelp();
     case ActionId::About: return showAbout();
     case ActionId::Quit: close();
@@ -243,7 +243,7 @@ void MainWindow::openHelp()
 {
     auto *help = findChild<dialogs::HelpDialog *>();
     if (!help)
-        help = new dialogs::HelpDialog(m_view->openRow(), this);
+        help = new dialogs::HelpDialog(m_view->pageInView(), this);
     help->show();
     help->raise();
     help->activateWindow();

@@ -51,12 +51,12 @@ constexpr const char *registersHelp[] {
     QT_TRANSLATE_NOOP("Pages", "The registers M000 to M999, as decimal, signed, hexadecimal or binary numbers. Only the rows in view are read."),
     QT_TRANSLATE_NOOP("Pages", "M000 to M559 can be written by an engineer; the others belong to the ladder."),
     QT_TRANSLATE_NOOP("Pages", "Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back."),
-    QT_TRANSLATE_NOOP("Pages", "A value that reads back differently is red and stays. Undo last writes the values from before."),
+    QT_TRANSLATE_NOOP("Pages", "A value that reads back differently is red and stays. Undo last stages the values from before the last Apply."),
 };
 constexpr const char *variablesHelp[] {
     QT_TRANSLATE_NOOP("Pages", "The variables B I D R S P BP and EX with their names, their value before, and when they changed. Only the rows in view are read."),
     QT_TRANSLATE_NOOP("Pages", "Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back."),
-    QT_TRANSLATE_NOOP("Pages", "A value that reads back differently is red and stays. Undo last writes the values from before."),
+    QT_TRANSLATE_NOOP("Pages", "A value that reads back differently is red and stays. Undo last stages the values from before the last Apply."),
     QT_TRANSLATE_NOOP("Pages", "Nothing is written before the numbering was compared with the pendant: Verify… does that, and only reads."),
     QT_TRANSLATE_NOOP("Pages", "Import and Export take CSV files; cells of a spreadsheet can be pasted. Both show first what would differ."),
     QT_TRANSLATE_NOOP("Pages", "A watch page is a list of your own: the right mouse button puts rows of any tab on it."),

@@ -3,11 +3,9 @@
 #include "options.h"
 
 #include <QCoreApplication>
-#include <QSocketNotifier>
+#include <QTimer>
 #include <csignal>
 #include <cstdio>
-#include <sys/socket.h>
-#include <unistd.h>
 
 using virtualcontroller::Server;
 
@@ -15,22 +13,19 @@ namespace {
 
 enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
 
-int signalPipe[2];
+volatile std::sig_atomic_t isEnding = 0;
 
 /// All that may be done inside a signal handler: the event loop does the rest.
-void passOn(int)
-{
-    const char byte = 1;
-    [[maybe_unused]] const auto written = write(signalPipe[1], &byte, 1);
-}
+void passOn(int) { isEnding = 1; }
 
-/// Ends the event loop on SIGINT and SIGTERM.
-void endOnSignals(QCoreApplication &application)
+/// Ends the event loop on SIGINT and SIGTERM, within a tenth of a second.
+void endOnSignals(QTimer &look)
 {
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, signalPipe) != 0)
-        return;
-    auto *notifier = new QSocketNotifier {signalPipe[0], QSocketNotifier::Read, &application};
-    QObject::connect(notifier, &QSocketNotifier::activated, &application, &QCoreApplication::quit);
+    QObject::connect(&look, &QTimer::timeout, [] {
+        if (isEnding)
+            QCoreApplication::quit();
+    });
+    look.start(std::chrono::milliseconds {100});
     std::signal(SIGINT, passOn);
     std::signal(SIGTERM, passOn);
 }
@@ -84,7 +79,8 @@ int main(int argc, char *argv[])
     const auto servers = startAll(*options);
     if (!servers)
         return complain(servers.error());
-    endOnSignals(application);
+    QTimer look;
+    endOnSignals(look);
     std::printf("pendesk-sim: %s ready on %s\n", options->memory.dialect.name,
         qPrintable(portsOf(*servers, options->server.address)));
     std::fflush(stdout);

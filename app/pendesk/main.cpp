@@ -98,6 +98,7 @@ int main(int argc, char *argv[])
         return complain(options.error().detail + QStringLiteral(" See pendesk --help."), Usage);
     if (!options->text.isEmpty())
         return std::fputs(qUtf8Printable(options->text), stdout) < 0 ? LocalFile : Done;
+    QGuiApplication::setDesktopFileName(QStringLiteral(PENDESK_ID));
     QApplication application {argc, argv};
     return run(*options, application);
 }

@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <array>
 #include <csignal>
-#include <unistd.h>
+#include <cstdlib>
 
 using namespace pendeskctl;
 
@@ -57,7 +57,7 @@ QString usage()
 }
 
 /// Backups get their name last and files are replaced at once, so it does no harm to stop anywhere.
-void onInterrupt(int) { ::_exit(Interrupted); }
+void onInterrupt(int) { std::_Exit(Interrupted); }
 
 } // namespace
 
