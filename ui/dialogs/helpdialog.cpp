@@ -7,7 +7,6 @@
 #include "ui/widgets/text.h"
 #include "ui/widgets/valuelabel.h"
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
@@ -76,13 +75,6 @@ void HelpDialog::showPage(int page)
         return;
     m_page = page;
     make();
-}
-
-void HelpDialog::changeEvent(QEvent *event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        make();
 }
 
 void HelpDialog::make()

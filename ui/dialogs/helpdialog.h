@@ -26,9 +26,6 @@ public:
     void showPage(int page);
     [[nodiscard]] int page() const { return m_page; }
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     /// Something that the search shows or hides.
     struct Entry {

@@ -41,7 +41,6 @@ QString widest()
 
 ReadinessRowView::ReadinessRowView(robot::Subject subject, QWidget *parent)
     : QWidget(parent),
-      m_title {widgets::text({}, ui::Type::Heading, ui::Role::Text1)},
       m_sentence {widgets::sentence({}, ui::Role::Text2)},
       m_remedy {widgets::sentence({}, ui::Role::Text1)},
       m_allowance {new widgets::ValueLabel(ui::Type::Heading)},
@@ -49,6 +48,7 @@ ReadinessRowView::ReadinessRowView(robot::Subject subject, QWidget *parent)
 {
     const QString name = QLatin1String(robot::key(subject));
     setObjectName(name + QStringLiteral("Readiness"));
+    m_allowance->setTitle(ui::title(subject));
     m_allowance->setObjectName(name + QStringLiteral("Allowance"));
     m_evidence->setObjectName(name + QStringLiteral("Evidence"));
     m_sentence->setObjectName(name + QStringLiteral("Sentence"));
@@ -62,7 +62,7 @@ ReadinessRowView::ReadinessRowView(robot::Subject subject, QWidget *parent)
     state->addStretch();
     auto *words = new QVBoxLayout;
     words->setSpacing(2);
-    words->addWidget(m_title);
+    words->addWidget(widgets::text(ui::title(subject), ui::Type::Heading, ui::Role::Text1));
     words->addWidget(m_sentence);
     words->addWidget(m_remedy);
     words->addStretch();
@@ -79,8 +79,6 @@ void ReadinessRowView::show(const ReadinessRow &row, const ReadinessFacts &facts
     m_allowance->show(freshness == Freshness::Unknown ? widgets::unknown()
                                                       : widgets::Shown {ui::word(row.allowance), freshness,
                                                           freshness == Freshness::Stale ? staleNote : QString()});
-    m_title->setText(ui::title(row.subject));
-    m_allowance->setTitle(ui::title(row.subject));
     m_evidence->setText(ui::word(row.evidence));
     m_sentence->setText(freshness == Freshness::Unknown ? QString() : ui::sentence(row, facts));
     m_sentence->setVisible(freshness != Freshness::Unknown);

@@ -29,7 +29,6 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    QLabel *m_title;
     QLabel *m_sentence;
     QLabel *m_remedy;
     widgets::ValueLabel *m_allowance;

@@ -11,7 +11,6 @@
 #include "ui/widgets/text.h"
 #include <QClipboard>
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QPushButton>
 #include <QScrollArea>
@@ -39,46 +38,24 @@ ReadinessSheet::ReadinessSheet(
       m_orders {orders},
       m_guard {guard},
       m_store {store},
-      m_title {widgets::text({}, ui::Type::State, ui::Role::Text1)},
       m_link {widgets::sentence({}, ui::Role::Text2)},
       m_ladder {new LadderView(this)}
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("readinessSheet"));
+    const QString name = orders.controller().profile().name;
+    setWindowTitle(tr("Readiness — %1").arg(name));
     resize(720, 640);
     m_ladder->hide();
     m_link->setObjectName(QStringLiteral("readinessLink"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
     column->setSpacing(10);
-    column->addWidget(m_title);
+    column->addWidget(widgets::text(tr("What %1 allows now").arg(name), ui::Type::State, ui::Role::Text1));
     column->addWidget(m_link);
-    m_scroll = makeRows();
-    column->addWidget(m_scroll, 1);
+    column->addWidget(makeRows(), 1);
     column->addWidget(makeButtons());
-    retranslate();
     follow();
-}
-
-void ReadinessSheet::changeEvent(QEvent *event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange)
-        return;
-    retranslate();
-    showFacts();
-}
-
-void ReadinessSheet::retranslate()
-{
-    const QString name = m_orders.controller().profile().name;
-    setWindowTitle(tr("Readiness — %1").arg(name));
-    m_title->setText(tr("What %1 allows now").arg(name));
-    m_scroll->setAccessibleName(tr("Readiness"));
-    m_copy->setText(tr("Copy"));
-    m_copy->setAccessibleName(tr("Copy the readiness and a diagnosis"));
-    m_copy->setToolTip(tr("As text for support, with a diagnosis of the link, which takes a moment."));
-    m_test->setText(tr("Test numbering…"));
 }
 
 ReadinessSheet::~ReadinessSheet() = default;
@@ -96,6 +73,7 @@ QWidget *ReadinessSheet::makeRows()
     column->addStretch();
     auto *scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("readinessRows"));
+    scroll->setAccessibleName(tr("Readiness"));
     scroll->setWidget(sheet);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -107,9 +85,11 @@ QWidget *ReadinessSheet::makeButtons()
 {
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::Close)->setObjectName(QStringLiteral("closeButton"));
-    m_copy = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
+    m_copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
     m_copy->setObjectName(QStringLiteral("copyReadiness"));
-    m_test = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
+    m_copy->setAccessibleName(tr("Copy the readiness and a diagnosis"));
+    m_copy->setToolTip(tr("As text for support, with a diagnosis of the link, which takes a moment."));
+    m_test = buttons->addButton(tr("Test numbering…"), QDialogButtonBox::ActionRole);
     m_test->setObjectName(QStringLiteral("testNumbering"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_copy, &QPushButton::clicked, this, [this] {

@@ -33,14 +33,12 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
-    void changeEvent(QEvent *event) override;
 
 private:
     [[nodiscard]] QWidget *makeRows();
     [[nodiscard]] QWidget *makeButtons();
     [[nodiscard]] robot::ReadinessFacts facts() const;
     [[nodiscard]] robot::Probe probe(robot::Topic topic) const;
-    void retranslate();
     void follow();
     void onLinkStateChanged();
     void knockAtFiles();
@@ -52,9 +50,7 @@ private:
     robot::Orders &m_orders;
     robot::NumberingGuard &m_guard;
     settings::ProfileStore &m_store;
-    QLabel *m_title;
     QLabel *m_link;
-    QWidget *m_scroll = nullptr;
     QList<ReadinessRowView *> m_rows;
     QPushButton *m_copy;
     QPushButton *m_test;

@@ -8,7 +8,6 @@
 #include "ui/pages/start/recenttile.h"
 #include "ui/pages/start/setupcard.h"
 #include "ui/widgets/card.h"
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QScrollArea>
@@ -63,13 +62,6 @@ void StartPanel::showEvent(QShowEvent *event)
 {
     make();
     QWidget::showEvent(event);
-}
-
-void StartPanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && isVisible())
-        make();
 }
 
 void StartPanel::make()

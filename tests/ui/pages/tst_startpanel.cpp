@@ -84,7 +84,7 @@ void TestStartPanel::connectedText_data()
     QTest::addColumn<QDateTime>("at");
     QTest::addColumn<QString>("text");
     const QDateTime now {{2026, 3, 2}, {0, 30}};
-    QTest::newRow("never") << QDateTime() << QStringLiteral("never connected");
+    QTest::newRow("never") << QDateTime() << QStringLiteral("no connection noted yet");
     QTest::newRow("today") << now.addSecs(-60) << QStringLiteral("connected today 12:29 AM");
     QTest::newRow("yesterday, an hour ago") << now.addSecs(-3600) << QStringLiteral("connected yesterday 11:30 PM");
     QTest::newRow("as UTC") << now.addSecs(-60).toUTC() << QStringLiteral("connected today 12:29 AM");
@@ -133,7 +133,7 @@ void TestStartPanel::recentControllersNewestFirst()
     QVERIFY(tiles[0]->accessibleName().startsWith(QStringLiteral("Connect to PAINT 2, paint2.plant.example")));
     QVERIFY(!tiles[1]->property("primary").toBool());
     QVERIFY(tiles[1]->accessibleName().contains(QStringLiteral("connected yesterday")));
-    QVERIFY(tiles[2]->accessibleName().contains(QStringLiteral("never connected")));
+    QVERIFY(tiles[2]->accessibleName().contains(QStringLiteral("no connection noted yet")));
     QTRY_VERIFY(tiles[2]->accessibleName().contains(QStringLiteral("No backup")));
     QVERIFY(button(harness, "connectButton")->isVisible());
     QVERIFY(button(harness, "demoButton")->isVisible());

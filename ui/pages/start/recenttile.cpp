@@ -31,7 +31,7 @@ QFont smallFont() { return ui::font(ui::Type::Label); }
 QString connectedText(const QDateTime &at, const QDateTime &now)
 {
     if (!at.isValid())
-        return RecentTile::tr("never connected");
+        return RecentTile::tr("no connection noted yet");
     const QDateTime local = at.toLocalTime();
     const QString time = QLocale().toString(local.time(), QLocale::ShortFormat);
     const qint64 days = local.date().daysTo(now.toLocalTime().date());

@@ -8,7 +8,7 @@
 
 namespace pages::start {
 
-/// "connected today 14:03", "connected yesterday 14:03", else with the date by the locale; "never connected" for an
+/// "connected today 14:03", "connected yesterday 14:03", else with the date by the locale; "no connection noted yet" for an
 /// invalid time.
 [[nodiscard]] QString connectedText(const QDateTime &at, const QDateTime &now);
 
