@@ -56,6 +56,7 @@ struct Desk : JobsHarness {
         for (const char *box : {"armNobody", "armSight", "armStop"})
             page->findChild<QAbstractButton *>(QLatin1String(box))->click();
         auto *button = page->findChild<QWidget *>(QStringLiteral("arm"));
+        QCoreApplication::processEvents(); // a page that was just made has no layout yet
         QTest::mousePress(button, Qt::LeftButton);
         const bool isArmed = QTest::qWaitFor([this] { return arming.isArmed(); }, 3000);
         QTest::mouseRelease(button, Qt::LeftButton);

@@ -289,7 +289,7 @@ void TrendPageTest::keepsIncidentsWhileHidden()
 {
     Desk desk;
     QVERIFY(desk.connectLive());
-    QVERIFY(!desk.page()->isVisible());
+    QVERIFY(!desk.page()); // a page is made when it is first opened
     QVERIFY(desk.keepIncident());
     const auto entry = desk.recorder().archive().incidents().front();
     QVERIFY2(entry.title.contains(QStringLiteral("4315")), qPrintable(entry.title));
