@@ -99,7 +99,6 @@ QWidget *FilesPage::between()
     m_send->setText(tr("Send →"));
     m_remove->setText(tr("Delete…"));
     auto *result = new QWidget;
-    result->setFixedWidth(200);
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(ui::space::gap);
