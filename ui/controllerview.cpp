@@ -3,6 +3,7 @@
 #include "ui/controllerview.h"
 
 #include "ui/accessswitch.h"
+#include "ui/announcer.h"
 #include "ui/armbadge.h"
 #include "ui/backupage.h"
 #include "ui/conditionwords.h"
@@ -50,7 +51,6 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    setFocusProxy(m_rail); // nobody holds a robot with a stray Space
     column->addWidget(makeStrip());
     column->addWidget(desk(), 1);
     m_bar->setObjectName(QStringLiteral("messageBar"));
@@ -68,6 +68,7 @@ ControllerView::ControllerView(const settings::Profile &profile, settings::Profi
     });
     follow();
     followJournal();
+    new Announcer(m_alarms, protocol::TextCodec {profile.encoding}, this);
     openPage(0);
     onLinkChanged();
 }
@@ -201,6 +202,9 @@ void ControllerView::readFor(const pages::Page *page)
     else
         m_pageInterests.remove(page);
 }
+
+/// Nobody holds a robot with a stray Space. It is no focus proxy: Tab would come back here before it got to HOLD.
+void ControllerView::focusInEvent(QFocusEvent *event) { m_rail->setFocus(event->reason()); }
 
 void ControllerView::hold()
 {

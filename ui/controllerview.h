@@ -73,6 +73,9 @@ Q_SIGNALS:
     /// The person opened or closed a window.
     void pagesInWindowsChanged();
 
+protected:
+    void focusInEvent(QFocusEvent *event) override;
+
 private:
     [[nodiscard]] RobotStrip *makeStrip();
     [[nodiscard]] PageWindow *windowOf(const pages::Page *page) const;

@@ -102,8 +102,9 @@ void NavigationRail::addScroll(QWidget *entries)
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 1, 0); // the line at the right
-    column->addWidget(new widgets::ScrollColumn(entries));
-    setFixedWidth(std::max(space::rail, entries->minimumSizeHint().width() + 1));
+    auto *area = new widgets::ScrollColumn(entries);
+    column->addWidget(area);
+    setFixedWidth(std::max(space::rail, area->minimumSizeHint().width() + 1));
 }
 
 void NavigationRail::addPages(QVBoxLayout *column)

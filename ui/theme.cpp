@@ -206,6 +206,8 @@ QTabBar::tab { background: transparent; border: none; border-bottom: 2px solid t
 QTabBar::tab:hover { color: %4; }
 QTabBar::tab:selected { color: %4; border-bottom-color: %4; }
 QTabBar::tab:focus { background: %5; }
+QAbstractItemView { border: 1px solid transparent; }
+QAbstractItemView:focus { border-color: %4; }
 QTableView QTableCornerButton::section { background: transparent; border: none; }
 )")
                .arg(name(Role::Raised), name(Role::Border), name(Role::Text2), name(Role::Accent),
