@@ -22,15 +22,17 @@ QWidget *Announcer::speaker() const
     return inUse != fields.end() ? *inUse : fields.value(0);
 }
 
-void Announcer::announce(const QList<journal::Sighting> &alarms) const
+void Announcer::announce(const QList<journal::Sighting> &alarms)
 {
     QWidget *field = speaker();
     if (alarms.isEmpty() || !field)
         return;
     const auto &newest = alarms.last().alarm;
-    field->setAccessibleDescription(tr("New alarm %1: %2").arg(newest.alarm.code).arg(alarmText(newest, m_codec)));
+    const QString words = tr("New alarm %1: %2").arg(newest.alarm.code).arg(alarmText(newest, m_codec));
+    field->setAccessibleDescription(words);
     QAccessibleEvent event(field, QAccessible::Alert);
     QAccessible::updateAccessibility(&event);
+    Q_EMIT announced(words);
 }
 
 } // namespace ui

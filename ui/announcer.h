@@ -19,8 +19,12 @@ public:
     /// `view` has the strips; both must outlive the announcer.
     Announcer(const robot::AlarmLog &alarms, const protocol::TextCodec &codec, QWidget *view);
 
+Q_SIGNALS:
+    /// Assistive technology was told.
+    void announced(const QString &words);
+
 private:
-    void announce(const QList<journal::Sighting> &alarms) const;
+    void announce(const QList<journal::Sighting> &alarms);
     [[nodiscard]] QWidget *speaker() const;
 
     protocol::TextCodec m_codec;

@@ -2,37 +2,19 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/harness.h"
 
+#include "ui/announcer.h"
 #include "ui/pagecatalog.h"
 #include "ui/pages/page.h"
 #include "virtualcontroller/alarms.h"
-#include <QAccessible>
+#include <QSignalSpy>
 
-namespace {
-
-QStringList alerts; ///< What was said aloud, in the order it came.
-
-void listen(QAccessibleEvent *event)
-{
-    if (event->type() != QAccessible::Alert)
-        return;
-    if (const QAccessibleInterface *speaker = event->accessibleInterface())
-        alerts << speaker->text(QAccessible::Name) + u' ' + speaker->text(QAccessible::Description);
-}
-
-int countOf(const QString &words)
-{
-    return int(std::ranges::count_if(alerts, [&](const QString &alert) { return alert.contains(words); }));
-}
-
-} // namespace
-
-/// What must not be missed is said aloud, whatever page or window is in use, and once.
+/// What must not be missed is said aloud, whatever page or window is in use, and once. Those who speak tell what they
+/// handed to QAccessible; without a screen Qt passes nothing on, and nobody could listen there.
 class TestAnnounced : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { alerts.clear(); }
     void alarmAndLostLink_data();
     void alarmAndLostLink();
 };
@@ -56,30 +38,34 @@ void TestAnnounced::alarmAndLostLink()
     if (isInWindow)
         harness.window.view().openInWindow();
     QTRY_VERIFY(harness.window.view().pages()[row]->isVisible());
+    QSignalSpy alarms(harness.window.view().findChild<ui::Announcer *>(), &ui::Announcer::announced);
+    QSignalSpy messages(harness.bar(), &widgets::MessageBar::announced);
     values::AlarmWithTexts alarm;
     alarm.alarm.code = 4511;
     alarm.alarm.name = values::FixedText<32> {QByteArrayView {"OUT OF RANGE"}};
-    virtualcontroller::raiseAlarm(harness.server->memory(), alarm, false);
-    QTest::qWait(3000); qWarning() << alerts << harness.window.findChildren<QWidget*>(QStringLiteral("stripAlarm")) << harness.window.view().alarms().alarms().size();
-    QTRY_COMPARE(countOf(QStringLiteral("New alarm 4511: OUT OF RANGE")), 1);
-    const auto answers = [&] { return harness.window.controller().statistics().seconds.size(); };
-    const auto before = answers();
-    QTRY_VERIFY(answers() > before); // it is polled again and again meanwhile
-    QCOMPARE(countOf(QStringLiteral("New alarm")), 1);
+    virtualcontroller::raiseAlarm(harness.server->memory(), alarm, true);
+    QTRY_COMPARE(alarms.size(), 1);
+    QCOMPARE(alarms.first().first().toString(), QStringLiteral("New alarm 4511: OUT OF RANGE"));
+    const auto *window = isInWindow ? harness.window.view().pages()[row]->window() : &harness.window;
+    QVERIFY(std::ranges::any_of(window->findChildren<QWidget *>(QStringLiteral("stripAlarm")),
+        [](const QWidget *field) { return field->accessibleDescription().contains(QStringLiteral("4511")); }));
+    const auto seconds = [&] { return harness.window.controller().statistics().seconds.size(); };
+    const auto before = seconds();
+    QTRY_VERIFY(seconds() > before); // it is read again and again meanwhile
     harness.stopController();
     QTRY_VERIFY(harness.window.controller().linkState() == robot::LinkState::Lost);
-    QTRY_VERIFY(countOf(harness.barText()) > 0);
-    QVERIFY2(harness.barText().contains(QStringLiteral("lost"), Qt::CaseInsensitive), qPrintable(harness.barText()));
-    QCOMPARE(countOf(harness.barText()), 1);
-    QCOMPARE(countOf(QStringLiteral("New alarm")), 1);
+    QTRY_VERIFY(!messages.isEmpty());
+    QVERIFY(messages.last().first().toString().contains(QStringLiteral("lost"), Qt::CaseInsensitive));
+    const auto said = messages.size();
+    QTRY_VERIFY(harness.window.controller().statistics().lastAnswerAge > std::chrono::seconds {1});
+    QCOMPARE(messages.size(), said);
+    QCOMPARE(alarms.size(), 1);
 }
 
 int main(int argc, char *argv[])
 {
     QApplication application {argc, argv};
     ui::apply(application, ui::Scheme::Light);
-    QAccessible::setActive(true);
-    QAccessible::installUpdateHandler(listen);
     TestAnnounced test;
     return QTest::qExec(&test, argc, argv);
 }
