@@ -82,9 +82,7 @@ const DialogRow rows[] {
             return new dialogs::ConnectionDialog(harness.store, {}, &harness.window);
         }},
     {"diagnosis",
-        [](Harness &harness) -> QDialog * {
-            return new dialogs::DiagnosisDialog(harness.profile(), &harness.window);
-        }},
+        [](Harness &harness) -> QDialog * { return new dialogs::DiagnosisDialog(harness.profile(), &harness.window); }},
     {"import", importDialog},
     {"write io",
         [](Harness &harness) -> QDialog * {
@@ -113,8 +111,7 @@ const DialogRow rows[] {
             return new dialogs::SignalPicker(
                 harness.window.view().recorder(), harness.profile().dialect(), &harness.window);
         }},
-    {"start",
-        [](Harness &harness) -> QDialog * { return new dialogs::StartSheet(orders(harness), &harness.window); }},
+    {"start", [](Harness &harness) -> QDialog * { return new dialogs::StartSheet(orders(harness), &harness.window); }},
     {"why not",
         [](Harness &harness) -> QDialog * {
             return new dialogs::WhyNotDialog(orders(harness), robot::Act::StartJob, &harness.window);

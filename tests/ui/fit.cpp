@@ -108,7 +108,8 @@ QString pushButtonFinding(const QPushButton &button)
     const QFontMetrics metrics(font);
     const int icon = option.icon.isNull() ? 0 : option.iconSize.width() + 4;
     const QString text = withoutMnemonic(button.text());
-    const QString wide = least(button, metrics.size(Qt::TextShowMnemonic, button.text()).width() + icon, room.width(), text);
+    const QString wide =
+        least(button, metrics.size(Qt::TextShowMnemonic, button.text()).width() + icon, room.width(), text);
     return wide.isEmpty() ? least(button, metrics.height(), room.height() + 2, high(text)) : wide;
 }
 
@@ -121,7 +122,8 @@ QString boxFinding(const QAbstractButton &box, QStyle::SubElement element, const
 QString buttonFinding(const QAbstractButton &button)
 {
     if (button.hasHeightForWidth()) { // its words wrap
-        const QString lines = least(button, button.heightForWidth(button.width()), button.height(), high(button.text()));
+        const QString lines =
+            least(button, button.heightForWidth(button.width()), button.height(), high(button.text()));
         return lines.isEmpty() ? least(button, button.minimumSizeHint().width(), button.width(), button.text()) : lines;
     }
     if (const auto *push = qobject_cast<const QPushButton *>(&button))
@@ -136,18 +138,19 @@ QString buttonFinding(const QAbstractButton &button)
 QString comboFinding(const QComboBox &combo)
 {
     const auto option = optionOf<QStyleOptionComboBox>(combo);
-    const QRect room = combo.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo);
+    const QRect room =
+        combo.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo);
     const QString text = combo.currentText();
-    return isToldElsewhere(combo, text)
-        ? QString()
-        : least(combo, combo.fontMetrics().horizontalAdvance(text), room.width(), text);
+    return isToldElsewhere(combo, text) ? QString()
+                                        : least(combo, combo.fontMetrics().horizontalAdvance(text), room.width(), text);
 }
 
 QString groupFinding(const QGroupBox &group)
 {
     const auto option = optionOf<QStyleOptionGroupBox>(group);
     const QRect room = group.style()->subControlRect(QStyle::CC_GroupBox, &option, QStyle::SC_GroupBoxLabel, &group);
-    return least(group, group.fontMetrics().size(Qt::TextShowMnemonic, group.title()).width(), room.width(), group.title());
+    return least(
+        group, group.fontMetrics().size(Qt::TextShowMnemonic, group.title()).width(), room.width(), group.title());
 }
 
 QString editFinding(const QLineEdit &edit)
@@ -185,7 +188,8 @@ QStringList tabFindings(const QTabBar &bar)
     QStringList result;
     const QRect open = bar.tabRect(bar.currentIndex());
     if (bar.count() > 0 && !bar.rect().contains(open))
-        result << QStringLiteral("%1: the open tab “%2” is not in view").arg(nameOf(bar), bar.tabText(bar.currentIndex()));
+        result
+            << QStringLiteral("%1: the open tab “%2” is not in view").arg(nameOf(bar), bar.tabText(bar.currentIndex()));
     for (int i = 0; i < bar.count(); ++i) {
         const int room = std::min(bar.tabRect(i).width(), bar.width()); // those out of view are scrolled to
         constexpr int padding = 2 * 10; // of the style sheet

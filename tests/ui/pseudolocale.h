@@ -12,8 +12,7 @@ class PseudoLocale : public QTranslator
 {
 public:
     [[nodiscard]] bool isEmpty() const override { return false; }
-    [[nodiscard]] QString translate(
-        const char *context, const char *sourceText, const char *, int) const override
+    [[nodiscard]] QString translate(const char *context, const char *sourceText, const char *, int) const override
     {
         const bool isKeyName = qstrcmp(context, "QShortcut") == 0; // "Ctrl" is the same key in every language
         return isKeyName ? QString() : inPseudo(QString::fromUtf8(sourceText));

@@ -162,7 +162,8 @@ void FilesPage::refresh()
     m_listing = std::make_unique<files::Collection>(*session, files::Collection::Sink {});
     m_listing->setPatterns({m_type->currentData().toByteArray()});
     m_listing->setListingOnly(true);
-    m_remote->setReason(tr("Reading the list…"));
+    m_remote->setReason({});
+    m_remote->setNote(tr("Reading the list…"));
     connect(m_listing.get(), &files::Operation::finished, this, &FilesPage::onListed);
     m_listing->start();
 }

@@ -20,11 +20,11 @@ bool FitWindow::eventFilter(QObject *watched, QEvent *event)
 void FitWindow::fit()
 {
     const QLayout *layout = m_window->layout();
-    if (!layout || !layout->hasHeightForWidth())
+    if (!layout)
         return;
-    const int wanted = layout->totalHeightForWidth(m_window->width());
-    if (wanted > m_window->height())
-        m_window->resize(m_window->width(), wanted);
+    const int width = std::max(m_window->width(), layout->totalMinimumSize().width());
+    const int lines = layout->hasHeightForWidth() ? layout->totalHeightForWidth(width) : 0;
+    m_window->resize(width, std::max(m_window->height(), lines));
 }
 
 } // namespace widgets

@@ -8,7 +8,7 @@ class QWidget;
 
 namespace widgets {
 
-/// Makes a window higher when its words need more lines than it has room for; it never gets lower by itself.
+/// Makes a window bigger when its words need more room than it has; it never gets smaller by itself.
 class FitWindow : public QObject
 {
     Q_OBJECT

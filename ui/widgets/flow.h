@@ -6,8 +6,8 @@
 
 namespace widgets {
 
-/// A row that goes on in the next line where it is short of room, as words do. What expands, and stretches, take what is
-/// left of their line.
+/// A row that goes on in the next line where it is short of room, as words do. What expands, and stretches, take what
+/// is left of their line.
 class Flow : public QLayout
 {
     Q_OBJECT

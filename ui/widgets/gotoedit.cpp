@@ -25,8 +25,8 @@ QSize GoToEdit::sizeHint() const
 {
     constexpr int least = 180;
     constexpr int margins = 16;
-    return {std::max(least, fontMetrics().horizontalAdvance(placeholderText()) + margins),
-        QLineEdit::sizeHint().height()};
+    return {
+        std::max(least, fontMetrics().horizontalAdvance(placeholderText()) + margins), QLineEdit::sizeHint().height()};
 }
 
 } // namespace widgets
