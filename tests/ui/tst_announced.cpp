@@ -37,7 +37,7 @@ void TestAnnounced::alarmAndLostLink()
     harness.window.view().openPage(row);
     if (isInWindow)
         harness.window.view().openInWindow();
-    QTRY_VERIFY(harness.window.view().pages()[row]->isVisible());
+    QTRY_VERIFY(harness.window.view().page(row)->isVisible());
     QSignalSpy alarms(harness.window.view().findChild<ui::Announcer *>(), &ui::Announcer::announced);
     QSignalSpy messages(harness.bar(), &widgets::MessageBar::announced);
     values::AlarmWithTexts alarm;
@@ -46,7 +46,7 @@ void TestAnnounced::alarmAndLostLink()
     virtualcontroller::raiseAlarm(harness.server->memory(), alarm, true);
     QTRY_COMPARE(alarms.size(), 1);
     QCOMPARE(alarms.first().first().toString(), QStringLiteral("New alarm 4511: OUT OF RANGE"));
-    const auto *window = isInWindow ? harness.window.view().pages()[row]->window() : &harness.window;
+    const auto *window = isInWindow ? harness.window.view().page(row)->window() : &harness.window;
     QVERIFY(std::ranges::any_of(window->findChildren<QWidget *>(QStringLiteral("stripAlarm")),
         [](const QWidget *field) { return field->accessibleDescription().contains(QStringLiteral("4511")); }));
     const auto seconds = [&] { return harness.window.controller().statistics().seconds.size(); };

@@ -152,7 +152,7 @@ void TestKeyboard::pages()
     QVERIFY(activate(m_harness.window));
     const QKeyCombination keys = QKeySequence(QLatin1String(page.shortcut))[0];
     QTest::keyClick(&m_harness.window, keys.key(), keys.keyboardModifiers());
-    QTRY_VERIFY(m_harness.window.view().pages()[row]->isVisible());
+    QTRY_VERIFY(m_harness.window.view().page(row)->isVisible());
     auto *entry = m_harness.window.findChild<QWidget *>(QLatin1String(page.id) + QStringLiteral("Entry"));
     entry->setFocus(Qt::TabFocusReason);
     QVERIFY(isNothing(unreachable(m_harness.window)));

@@ -110,7 +110,7 @@ public:
     [[nodiscard]] pages::Page *open(int row) const
     {
         m_harness->window.view().openPage(row);
-        pages::Page *page = m_harness->window.view().pages()[row];
+        pages::Page *page = m_harness->window.view().page(row);
         const bool isRead = QTest::qWaitFor(
             [&] {
                 return std::ranges::all_of(page->topics(), [&](const robot::TopicRange &range) {
