@@ -34,12 +34,12 @@ QByteArray number(const Sample &sample)
 struct Cursor {
     Series::View left;
 
-    [[nodiscard]] bool isAt(Moment at) const { return !left.empty() && left.front().at == at; }
+    [[nodiscard]] bool isAt(Moment at) const { return !left.empty() && left.begin()->at == at; }
     QByteArray take(Moment at)
     {
         if (!isAt(at))
             return {};
-        const QByteArray text = number(left.front());
+        QByteArray text = number(*left.begin());
         left.advance(1);
         return text;
     }
@@ -60,7 +60,7 @@ QByteArray toCsv(std::span<const Track *const> tracks, const Range &range)
         std::optional<Moment> next;
         for (const Cursor &cursor : cursors) {
             if (!cursor.left.empty())
-                next = std::min(next.value_or(Moment::max()), cursor.left.front().at);
+                next = std::min(next.value_or(Moment::max()), cursor.left.begin()->at);
         }
         if (!next)
             return csv;

@@ -15,7 +15,7 @@ namespace widgets {
 namespace {
 
 constexpr int cellMargin = 18;
-constexpr int least = 90;
+constexpr int leastWidth = 90;
 
 QString line(const QAbstractItemModel *model, const std::function<QVariant(int)> &cell)
 {
@@ -53,7 +53,7 @@ void fitColumns(QTableView *table, const QStringList &samples)
         const int headNeed = QFontMetrics(header->font()).horizontalAdvance(head);
         header->resizeSection(column, std::max(need, headNeed) + cellMargin);
     }
-    header->setMinimumSectionSize(std::min(least, header->defaultSectionSize()) / 2);
+    header->setMinimumSectionSize(std::min(leastWidth, header->defaultSectionSize()) / 2);
 }
 
 QString rowsAsText(const QTableView *table)
