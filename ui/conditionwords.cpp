@@ -82,7 +82,7 @@ struct Path {
 };
 
 constexpr Path paths[] {
-    {Condition::Remote, QT_TRANSLATE_NOOP("Conditions", "IN/OUT, PSEUDO INPUT SIG, #82015"), QT_TRANSLATE_NOOP("Conditions", "IN/OUT, PSEUDO INPUT SIG, #82015")},
+    {Condition::Remote, QT_TRANSLATE_NOOP("Conditions", "IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)"), QT_TRANSLATE_NOOP("Conditions", "IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)")},
     {Condition::JobSelectPermitted, QT_TRANSLATE_NOOP("Conditions", "SETUP, FUNCTION COND. or FUNCTION ENABLE"), QT_TRANSLATE_NOOP("Conditions", "SETUP, FUNCTION ENABLE")},
     {Condition::MasterCallPermitted, QT_TRANSLATE_NOOP("Conditions", "SETUP, FUNCTION COND. or TEACHING COND."),
         QT_TRANSLATE_NOOP("Conditions", "SETUP, FUNCTION ENABLE or TEACHING COND.")},

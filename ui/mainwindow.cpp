@@ -17,6 +17,7 @@
 #include <QCloseEvent>
 #include <QLocale>
 #include <QMessageBox>
+#include <QScreen>
 #include <QStatusBar>
 
 namespace ui {
@@ -33,7 +34,7 @@ MainWindow::MainWindow(settings::ProfileStore &store, Authority authority, Start
       m_requests {widgets::text({}, Type::Label, Role::Text2)}
 {
     setWindowIcon(applicationIcon());
-    resize(1440, 900);
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     makeStatusBar();
     connect(m_actions, &Actions::triggered, this, &MainWindow::run);
     connect(m_actions, &Actions::profileChosen, this, [this](const QString &name) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "session/udptransport.h"
 
+#include <QNetworkProxy>
 #include <QUdpSocket>
 
 namespace session {
@@ -10,6 +11,7 @@ UdpTransport::UdpTransport(const QHostAddress &address, quint16 port, QObject *p
     : Transport {parent}, m_address {address}, m_port {port}, m_socket {new QUdpSocket {this}}
 {
     connect(m_socket, &QUdpSocket::readyRead, this, &UdpTransport::receive);
+    m_socket->setProxy(QNetworkProxy::NoProxy); // a controller is in this network; asking for the desktop's takes time
     m_socket->bind(QHostAddress {QHostAddress::AnyIPv4}, 0);
 }
 

@@ -150,11 +150,14 @@ private Q_SLOTS:
 
         // What is new costs little, even after a restart of the program.
         cell.startLog();
-        const int before = cell.server->arrived(quint16(command));
+        // A busy computer makes a read late and asks again: that costs, but not because of the history.
+        const auto asked = [&] {
+            return cell.server->arrived(quint16(command)) - int(cell.controller->statistics().counters.repeats);
+        };
+        const int before = asked();
         cell.server->memory().histories[AlarmHistoryClass::User].push_front(entry(9001, "2026/01/12 08:13"));
         QVERIFY(cell.read());
-        QVERIFY(cell.server->arrived(quint16(command)) - before
-            <= 17); // 2 + 2, 2 + 2, 2 + 1, 3 + 2 and 1: what is new, and the top again
+        QVERIFY(asked() - before <= 17); // 2 + 2, 2 + 2, 2 + 1, 3 + 2 and 1: what is new, and the top again
         QCOMPARE(cell.kept(AlarmHistoryClass::User).size(), 2);
     }
 
