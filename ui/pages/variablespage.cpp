@@ -5,7 +5,6 @@
 #include "ui/dialogs/numberingdialog.h"
 #include "ui/pages/registerspage.h"
 #include "ui/widgets/text.h"
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QJsonArray>
 #include <QMenu>
