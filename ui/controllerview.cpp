@@ -3,6 +3,7 @@
 #include "ui/controllerview.h"
 
 #include "ui/accessswitch.h"
+#include "ui/announcer.h"
 #include "ui/armbadge.h"
 #include "ui/backupage.h"
 #include "ui/conditionwords.h"
@@ -51,7 +52,6 @@ ControllerView::ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStor
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    setFocusProxy(m_rail); // nobody holds a robot with a stray Space
     column->addWidget(makeStrip());
     column->addWidget(makeBoard(), 1);
     m_bar->setObjectName(QStringLiteral("messageBar"));
@@ -70,6 +70,7 @@ ControllerView::ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStor
     connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
     follow();
     followJournal();
+    new Announcer(alarms(), protocol::TextCodec {m_desk->profile().encoding}, this);
     openPage(0);
     onLinkChanged();
 }
@@ -248,6 +249,9 @@ void ControllerView::readFor(const pages::Page *page)
     else
         m_pageInterests.remove(page);
 }
+
+/// Nobody holds a robot with a stray Space. It is no focus proxy: Tab would come back here before it got to HOLD.
+void ControllerView::focusInEvent(QFocusEvent *event) { m_rail->setFocus(event->reason()); }
 
 void ControllerView::hold()
 {

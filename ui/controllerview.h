@@ -74,6 +74,9 @@ Q_SIGNALS:
     void pagesInWindowsChanged();
     void pageOpened(int row);
 
+protected:
+    void focusInEvent(QFocusEvent *event) override;
+
 private:
     [[nodiscard]] RobotStrip *makeStrip();
     [[nodiscard]] PageWindow *windowOf(const pages::Page *page) const;

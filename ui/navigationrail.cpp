@@ -4,6 +4,7 @@
 
 #include "ui/icons.h"
 #include "ui/pagecatalog.h"
+#include "ui/widgets/scrollcolumn.h"
 #include "ui/widgets/controllertile.h"
 #include "ui/widgets/text.h"
 #include "ui/words.h"
@@ -28,12 +29,23 @@ QLabel *heading(const QString &words)
     return label;
 }
 
+/// Of an entry with its words in bold, as they are while its page is open.
+int leastWidth(const QString &words)
+{
+    QFont bold = font(Type::Body);
+    bold.setWeight(QFont::DemiBold);
+    constexpr int margins = 2 * 9; // of the style sheet, with the border
+    constexpr int gap = 6; // between icon and words
+    return margins + space::icon + gap + QFontMetrics(bold).horizontalAdvance(words);
+}
+
 QPushButton *entry(const QString &name, const QString &words, const QIcon &icon)
 {
     auto *button = new QPushButton(icon, words);
     button->setObjectName(name);
     button->setProperty("rail", true);
     button->setIconSize({space::icon, space::icon});
+    button->setMinimumWidth(leastWidth(words));
     return button;
 }
 
@@ -67,21 +79,32 @@ NavigationRail::NavigationRail(
       m_tile {new widgets::ControllerTile(profile.name.isEmpty() ? tr("No controller") : profile.name)},
       m_pages {new QButtonGroup(this)}
 {
-    setFixedWidth(space::rail);
-    auto *column = new QVBoxLayout(this);
+    auto *entries = new QWidget;
+    auto *column = new QVBoxLayout(entries);
     column->setContentsMargins(10, 8, 10, 10);
-    column->setSpacing(3);
+    column->setSpacing(2);
     column->addWidget(heading(tr("CONTROLLERS")));
     column->addWidget(m_tile);
     m_tile->setObjectName(QStringLiteral("controllerTile"));
     addPages(column);
     column->addStretch();
     addActions(column, actions);
+    addScroll(entries);
     connect(&state, &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
         if (range.contains(robot::topics::status))
             showTile();
     });
     showTile();
+}
+
+/// In a low window the entries are scrolled.
+void NavigationRail::addScroll(QWidget *entries)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 1, 0); // the line at the right
+    auto *area = new widgets::ScrollColumn(entries);
+    column->addWidget(area);
+    setFixedWidth(std::max(space::rail, area->minimumSizeHint().width() + 1));
 }
 
 void NavigationRail::addPages(QVBoxLayout *column)

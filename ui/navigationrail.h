@@ -40,6 +40,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    void addScroll(QWidget *entries);
     void addPages(QVBoxLayout *column);
     void addActions(QVBoxLayout *column, const Actions &actions);
     void showTile();

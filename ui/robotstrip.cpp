@@ -199,8 +199,10 @@ void RobotStrip::showStatistics(const session::LinkStatistics &statistics)
     showLinkCell();
 }
 
+/// The cell never gets narrower: digits differ, and the neighbours stand still.
 void RobotStrip::showLinkCell()
 {
+    m_link->setMinimumWidth(std::max(m_link->minimumWidth(), m_link->minimumSizeHint().width()));
     const QString age = ageText(m_statistics.lastAnswerAge);
     const bool hasAnswered = m_statistics.lastAnswerAge.has_value();
     m_link->setTitle(
@@ -230,12 +232,26 @@ bool RobotStrip::event(QEvent *event)
     return QWidget::event(event);
 }
 
-/// The job is on the overview too: in a narrow window it makes room for what is only here.
+/// The job is on the overview too: in a narrow window it makes room for what is only here. The states are written
+/// smaller before one of them is shortened, and bigger again when there surely is room.
 void RobotStrip::makeRoom()
 {
     const int job = m_jobCell->isVisibleTo(this) ? m_jobCell->sizeHint().width() : 0;
     const int others = m_row->totalSizeHint().width() - job;
     m_jobCell->setVisible(others + m_jobCell->minimumSizeHint().width() <= width());
+    constexpr qreal growth = 1.3; // of strip words against those of the body
+    if (m_isTight ? others * growth <= width() : others > width())
+        setTight(!m_isTight);
+}
+
+void RobotStrip::setTight(bool isTight)
+{
+    m_isTight = isTight;
+    QFont words = ui::font(isTight ? Type::Body : Type::StripState);
+    words.setWeight(QFont::DemiBold);
+    for (const StateField *field : m_statusFields)
+        field->value()->setFont(words);
+    m_link->value()->setFont(words);
 }
 
 void RobotStrip::paintEvent(QPaintEvent *)

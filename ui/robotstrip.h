@@ -42,6 +42,7 @@ private:
     [[nodiscard]] QWidget *nameCell(const settings::Profile &profile);
     [[nodiscard]] QWidget *jobCell() const;
     void makeRoom();
+    void setTight(bool isTight);
     void addStatusCells();
     void onChanged(const robot::TopicRange &range);
     void showStatus();
@@ -60,6 +61,7 @@ private:
     widgets::HoldButton *m_hold;
     LinkView m_linkView;
     session::LinkStatistics m_statistics;
+    bool m_isTight = false; ///< The window is too narrow for big words.
 };
 
 } // namespace ui

@@ -189,7 +189,7 @@ QPushButton[link="true"] { background: transparent; border: 1px solid transparen
 QPushButton[link="true"]:hover, QPushButton[link="true"]:focus { border-color: %8; }
 QPushButton[segment="true"] { border-radius: 0; padding: 5px 8px; }
 QPushButton[segment="true"]:checked { background: %5; color: %4; font-weight: 600; border-color: %4; }
-QPushButton[rail="true"] { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 6px 8px;
+QPushButton[rail="true"] { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 5px 8px;
     text-align: left; }
 QPushButton[rail="true"]:hover, QPushButton[rail="true"]:focus { border-color: %2; }
 QPushButton[rail="true"]:checked { background: %5; color: %4; font-weight: 600; }
@@ -202,10 +202,12 @@ QPushButton[amber="true"] { background: %10; border-color: %11; color: %11; }
 QToolTip { background: %1; color: %8; border: 1px solid %2; padding: 3px; }
 QStatusBar { background: %9; border-top: 1px solid %2; }
 QStatusBar::item { border: none; }
-QTabBar::tab { background: transparent; border: none; border-bottom: 2px solid transparent; padding: 6px 13px; }
+QTabBar::tab { background: transparent; border: none; border-bottom: 2px solid transparent; padding: 6px 10px; }
 QTabBar::tab:hover { color: %4; }
-QTabBar::tab:selected { color: %4; border-bottom-color: %4; font-weight: 600; }
+QTabBar::tab:selected { color: %4; border-bottom-color: %4; }
 QTabBar::tab:focus { background: %5; }
+QAbstractItemView { border: 1px solid transparent; }
+QAbstractItemView:focus { border-color: %4; }
 QTableView QTableCornerButton::section { background: transparent; border: none; }
 )")
                .arg(name(Role::Raised), name(Role::Border), name(Role::Text2), name(Role::Accent),

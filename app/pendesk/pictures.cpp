@@ -20,6 +20,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
+constexpr QSize size {1440, 900}; ///< Of every picture, whatever the screen or what stands for it.
+
 void say(const QString &sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(sentence)); }
 
 QString word(ui::Scheme scheme)
@@ -41,6 +43,7 @@ Pictures::Pictures(ui::MainWindow &window, QObject *parent) : QObject(parent), m
 void Pictures::writeFiles(const QString &folder)
 {
     m_path = folder;
+    m_window.resize(size);
     if (!QDir().mkpath(folder))
         return fail(tr("the folder %1 cannot be made").arg(folder), LocalFile);
     if (!saveAll(QStringLiteral("notconnected")))
@@ -52,6 +55,7 @@ void Pictures::writeFiles(const QString &folder)
 void Pictures::writeSheet(const QString &path, const QStringList &languages)
 {
     m_path = path;
+    m_window.resize(size);
     QStringList headings;
     for (const QString &language : languages) {
         for (const ui::Scheme scheme : {ui::Scheme::Light, ui::Scheme::Dark}) {

@@ -22,6 +22,7 @@ public:
           store {file},
           window {store, {access, arming, journal}, [this] { return startController(); }}
     {
+        window.resize(1440, 900); // the screen that is not there is smaller
     }
 
     values::Result<settings::Profile> startController()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "ui/alldialogs.h"
 #include "ui/harness.h"
 
 #include "ui/pagecatalog.h"
@@ -106,6 +107,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         QVERIFY(m_harness.connectLive());
+        m_harness.access.enter(robot::Level::Engineer);
         QVERIFY(QDir().mkpath(QStringLiteral(PENDESK_PICTURES)));
     }
 
@@ -128,6 +130,26 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(reader.lines.join(u'\n').toUtf8());
         QCOMPARE((reader.nameless + withoutObjectName(*page)).join(u", "), QString());
+    }
+
+    void everyDialogReadsAloud_data()
+    {
+        QTest::addColumn<int>("row");
+        for (int row = 0; row < int(allDialogs().size()); ++row)
+            QTest::newRow(allDialogs()[row].name) << row;
+    }
+    void everyDialogReadsAloud()
+    {
+        QFETCH(int, row);
+        std::unique_ptr<QDialog> dialog;
+        QTRY_VERIFY((dialog.reset(allDialogs()[row].create(m_harness)), dialog)); // a move wants a position first
+        dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog->show();
+        Reader reader;
+        reader.read(QAccessible::queryAccessibleInterface(dialog.get()));
+        QVERIFY(!dialog->windowTitle().isEmpty());
+        QVERIFY(!dialog->objectName().isEmpty());
+        QCOMPARE((reader.nameless + withoutObjectName(*dialog)).join(u", "), QString());
     }
 
     void stripAndRailReadAloud()

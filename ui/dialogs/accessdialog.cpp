@@ -3,6 +3,7 @@
 #include "ui/dialogs/accessdialog.h"
 
 #include "ui/conditionwords.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -35,6 +36,7 @@ QDialogButtonBox *buttons(QDialog *dialog)
 {
     auto *box = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     box->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("okButton"));
+    box->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("cancelButton"));
     QObject::connect(box, &QDialogButtonBox::rejected, dialog, &QDialog::close);
     return box;
 }
@@ -50,6 +52,7 @@ PasscodeDialog::PasscodeDialog(Access &access, robot::Level level, QWidget *pare
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("passcodeDialog"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("Access level: %1").arg(ui::title(level)));
     setModal(true);
     auto *form = new QFormLayout(this);
@@ -83,6 +86,7 @@ AccessSettingsDialog::AccessSettingsDialog(Access &access, QWidget *parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("accessSettingsDialog"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("Passcode and idle time"));
     m_minutes->setObjectName(QStringLiteral("idleMinutes"));
     m_minutes->setRange(1, 480);

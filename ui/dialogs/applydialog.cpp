@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/dialogs/applydialog.h"
 
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/text.h"
@@ -40,6 +41,7 @@ ApplyDialog::ApplyDialog(
     setAttribute(Qt::WA_DeleteOnClose);
     setModal(true);
     setObjectName(QStringLiteral("applyDialog"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("Apply — %1").arg(controller));
     const auto list = edits.staged().toApply();
     const bool hasPositions =
@@ -54,9 +56,12 @@ ApplyDialog::ApplyDialog(
     table->setColumnWidth(1, hasPositions ? 520 : 180);
     table->horizontalHeader()->setStretchLastSection(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("cancelButton"));
     auto *apply = buttons->addButton(tr("Write %n value(s)", nullptr, int(list.size())), QDialogButtonBox::AcceptRole);
     apply->setObjectName(QStringLiteral("applyConfirm"));
     apply->setProperty("primary", true);
+    apply->setAutoDefault(false);
+    buttons->button(QDialogButtonBox::Cancel)->setDefault(true); // Enter writes nothing
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
     column->setSpacing(ui::space::gap);

@@ -4,6 +4,7 @@
 
 #include "ui/dialogs/ladderview.h"
 #include "ui/dialogs/profileform.h"
+#include "ui/widgets/scrollcolumn.h"
 #include "ui/widgets/text.h"
 #include <QHBoxLayout>
 #include <QListWidget>
@@ -89,7 +90,7 @@ QWidget *ConnectionDialog::formColumn()
     row->addWidget(widgets::sentence(tr("Connecting only reads. HOLD: Pause key."), ui::Role::Text2), 1);
     row->addWidget(m_save);
     row->addWidget(m_connect);
-    column->addWidget(m_form);
+    column->addWidget(new widgets::ScrollColumn(m_form), 3);
     column->addWidget(m_complaint);
     column->addLayout(row);
     column->addWidget(scroll, 1);

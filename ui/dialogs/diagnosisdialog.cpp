@@ -22,6 +22,7 @@ DiagnosisDialog::DiagnosisDialog(const settings::Profile &profile, QWidget *pare
     setWindowTitle(tr("Diagnosis — %1").arg(profile.name));
     resize(620, 560);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setObjectName(QStringLiteral("closeButton"));
     m_copy = buttons->addButton(tr("Copy diagnosis"), QDialogButtonBox::ActionRole);
     m_copy->setObjectName(QStringLiteral("copyDiagnosis"));
     m_copy->setEnabled(false);

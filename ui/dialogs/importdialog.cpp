@@ -66,6 +66,7 @@ ImportDialog::ImportDialog(
     setWindowTitle(tr("Take over values — %1").arg(controller));
     resize(680, 520);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("cancelButton"));
     const int count = int(preview.differences.size());
     auto *stage = buttons->addButton(tr("Stage %n value(s)", nullptr, count), QDialogButtonBox::AcceptRole);
     stage->setObjectName(QStringLiteral("stageButton"));

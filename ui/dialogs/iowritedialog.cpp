@@ -3,6 +3,7 @@
 #include "ui/dialogs/iowritedialog.h"
 
 #include "ui/conditionwords.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/text.h"
@@ -41,6 +42,7 @@ IoWriteDialog::IoWriteDialog(robot::Orders &orders, const names::Signal &signal,
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("ioWriteDialog"));
     const QString controller = orders.controller().profile().name;
+    new widgets::FitWindow(this);
     setWindowTitle(tr("Write %1 — %2").arg(toString(signal), controller));
     for (QLabel *label : {m_before, m_after}) { // nothing is read yet: room for all eight
         const auto room = [label](quint8 group) {
@@ -58,6 +60,7 @@ IoWriteDialog::IoWriteDialog(robot::Orders &orders, const names::Signal &signal,
     grid->addWidget(widgets::text(tr("Will be"), ui::Type::Label, ui::Role::Text2), 1, 0);
     grid->addWidget(m_after, 1, 1);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setObjectName(QStringLiteral("closeButton"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
     column->setSpacing(ui::space::gap);

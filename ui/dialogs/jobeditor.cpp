@@ -25,6 +25,7 @@ JobEditor::JobEditor(
     resize(720, 640);
     m_text->setObjectName(QStringLiteral("jobText"));
     m_text->setAccessibleName(tr("Text of the file"));
+    m_text->setTabChangesFocus(true);
     m_text->setFont(ui::font(ui::Type::Mono));
     new widgets::InformHighlighter(m_text->document(), m_text);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/dialogs/motionform.h"
 
+#include "ui/widgets/tickbox.h"
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -19,8 +20,8 @@ constexpr char axes[] = "XYZ";
 
 MotionForm::MotionForm(QWidget *parent)
     : QWidget(parent),
-      m_hasBox {new QCheckBox(tr("The tool point must stay in this box (base frame, mm)"))},
-      m_framesChecked {new QCheckBox(tr("User and tool frames were checked on this robot"))}
+      m_hasBox {new widgets::TickBox(tr("The tool point must stay in this box (base frame, mm)"))},
+      m_framesChecked {new widgets::TickBox(tr("User and tool frames were checked on this robot"))}
 {
     using motion::Wishes;
     auto *form = new QFormLayout(this);

@@ -4,6 +4,7 @@
 
 #include "motion/geometry.h"
 #include "ui/conditionwords.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/rows.h"
 #include "ui/widgets/startbutton.h"
 #include "ui/widgets/text.h"
@@ -72,6 +73,7 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("moveSheet"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("Move at %1").arg(orders.controller().profile().name));
     setMinimumWidth(680); // a place in one line
     makeWidgets();

@@ -3,6 +3,7 @@
 #include "ui/dialogs/numberingdialog.h"
 
 #include "protocol/codes.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
 #include <QGridLayout>
@@ -37,8 +38,9 @@ NumberingDialog::NumberingDialog(robot::Orders &orders, QWidget *parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("numberingDialog"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("Variable numbering — %1").arg(orders.controller().profile().name));
-    resize(560, sizeHint().height());
+    setMinimumWidth(560);
     m_sentence->setObjectName(QStringLiteral("sentence"));
     auto *grid = new QGridLayout;
     for (int i = 0; i < 2; ++i) {
@@ -53,6 +55,7 @@ NumberingDialog::NumberingDialog(robot::Orders &orders, QWidget *parent)
         grid->addWidget(m_values[at], i, 2);
     }
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setObjectName(QStringLiteral("closeButton"));
     m_compare = buttons->addButton(tr("Compare"), QDialogButtonBox::ActionRole);
     m_compare->setObjectName(QStringLiteral("compareButton"));
     m_accept = buttons->addButton(tr("Keep the result"), QDialogButtonBox::ActionRole);

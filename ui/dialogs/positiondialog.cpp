@@ -3,6 +3,7 @@
 #include "ui/dialogs/positiondialog.h"
 
 #include "protocol/codes.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include "values/form.h"
 #include <QComboBox>
@@ -65,6 +66,7 @@ PositionDialog::PositionDialog(robot::Orders &orders, const variables::Reference
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("positionDialog"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("%1 — %2").arg(toString(variable), orders.controller().profile().name));
     m_type->setObjectName(QStringLiteral("type"));
     m_type->setAccessibleName(tr("Type"));
@@ -73,6 +75,7 @@ PositionDialog::PositionDialog(robot::Orders &orders, const variables::Reference
     for (const PositionType one : variables::positionTypes(variable.kind))
         m_type->addItem(values::toString(one), quint32(one));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("cancelButton"));
     m_stage = buttons->addButton(tr("Stage"), QDialogButtonBox::AcceptRole);
     m_stage->setObjectName(QStringLiteral("stageButton"));
     m_stage->setProperty("primary", true);

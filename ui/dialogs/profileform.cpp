@@ -31,6 +31,7 @@ ProfileForm::ProfileForm(QWidget *parent)
       m_name {lineEdit("profileName", tr("Name"))},
       m_host {lineEdit("profileHost", tr("Host name or address"))}
 {
+    setFocusProxy(m_name);
     auto *form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Name"), m_name);

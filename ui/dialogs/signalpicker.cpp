@@ -35,6 +35,7 @@ SignalPicker::SignalPicker(trend::Recorder &recorder, const protocol::Dialect &d
       m_search {new QLineEdit},
       m_list {new QListView}
 {
+    setObjectName(QStringLiteral("signalPicker"));
     setWindowTitle(tr("Add a signal"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(420, 480);

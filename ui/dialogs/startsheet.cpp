@@ -3,6 +3,7 @@
 #include "ui/dialogs/startsheet.h"
 
 #include "ui/conditionwords.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/rows.h"
 #include "ui/widgets/startbutton.h"
 #include "ui/widgets/text.h"
@@ -31,6 +32,7 @@ StartSheet::StartSheet(robot::Orders &orders, QWidget *parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("startSheet"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("Start at %1").arg(orders.controller().profile().name));
     setWindowModality(Qt::WindowModal);
     setMinimumWidth(440);

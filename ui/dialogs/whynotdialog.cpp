@@ -3,9 +3,11 @@
 #include "ui/dialogs/whynotdialog.h"
 
 #include "ui/conditionwords.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/conditionlist.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -15,6 +17,7 @@ WhyNotDialog::WhyNotDialog(robot::Orders &orders, robot::Act act, QWidget *paren
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("whyNotDialog"));
+    new widgets::FitWindow(this);
     setWindowTitle(tr("%1 · %2").arg(ui::title(act), orders.controller().profile().name));
     resize(460, 480);
     auto *scroll = new QScrollArea;
@@ -24,6 +27,7 @@ WhyNotDialog::WhyNotDialog(robot::Orders &orders, robot::Act act, QWidget *paren
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setObjectName(QStringLiteral("closeButton"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
     column->addWidget(widgets::text(tr("What must be the case"), ui::Type::Heading, ui::Role::Text2));

@@ -150,6 +150,16 @@ VariableModel::Cell VariableModel::nameCell(const Reference &variable) const
     return {name.isLocal ? tr("%1 (local)").arg(name.text) : name.text};
 }
 
+/// The row above tells the same reason.
+bool VariableModel::isRefusedAbove(const robot::VariableReading &reading, const Reference &variable) const
+{
+    const int row = rowOf(variable);
+    if (row < 1)
+        return false;
+    const auto above = readingOf(m_desk.state, at(row - 1));
+    return isRefusedHere(above, at(row - 1)) && *above.refusal == *reading.refusal;
+}
+
 VariableModel::Cell VariableModel::valueCell(const Reference &variable) const
 {
     if (const Edit *edit = m_desk.edits.staged().find(variable))
@@ -157,8 +167,9 @@ VariableModel::Cell VariableModel::valueCell(const Reference &variable) const
     const auto reading = readingOf(m_desk.state, variable);
     if (reading.freshness == Freshness::Live && reading.value)
         return {text(reading.value), isEmptyText(*reading.value) ? int(ui::Role::Text2) : -1};
-    if (isRefusedHere(reading, variable))
-        return {protocol::explain(*reading.refusal), int(ui::Role::Text2)};
+    if (isRefusedHere(reading, variable)) // the reason once; the rows below have it in their tool tips
+        return {isRefusedAbove(reading, variable) ? tr("refused") : protocol::explain(*reading.refusal),
+            int(ui::Role::Text2)};
     const bool isStale = reading.freshness == Freshness::Stale && reading.value;
     return {text(isStale ? reading.value : std::nullopt), int(ui::Role::Text3), -1, isStale};
 }

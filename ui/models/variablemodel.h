@@ -71,6 +71,8 @@ private:
     [[nodiscard]] QString text(const std::optional<variables::Value> &value) const;
     [[nodiscard]] Cell cell(const QModelIndex &index) const;
     [[nodiscard]] Cell valueCell(const variables::Reference &variable) const;
+    [[nodiscard]] bool isRefusedAbove(
+        const robot::VariableReading &reading, const variables::Reference &variable) const;
     [[nodiscard]] Cell editCell(const variables::Edit &edit) const;
     [[nodiscard]] QString editWords(const variables::Edit &edit) const;
     [[nodiscard]] Cell nameCell(const variables::Reference &variable) const;

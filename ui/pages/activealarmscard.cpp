@@ -8,7 +8,6 @@
 #include "ui/widgets/shown.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/tabletools.h"
-#include <QAccessible>
 #include <QHBoxLayout>
 #include <QPushButton>
 
@@ -87,7 +86,6 @@ ActiveAlarmsCard::ActiveAlarmsCard(robot::AlarmLog &log, robot::Orders &orders, 
     m_resetPatience.setSingleShot(true);
     connect(&m_resetPatience, &QTimer::timeout, this, &ActiveAlarmsCard::checkReset);
     connect(&log, &robot::AlarmLog::alarmsChanged, this, &ActiveAlarmsCard::refresh);
-    connect(&log, &robot::AlarmLog::alarmsCame, this, &ActiveAlarmsCard::announce);
     connect(&orders, &robot::Orders::situationChanged, this, &ActiveAlarmsCard::refresh);
     connect(&orders.controller(), &robot::Controller::linkStateChanged, this, &ActiveAlarmsCard::refresh);
     connect(&orders.controller().state(), &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
@@ -289,16 +287,6 @@ void ActiveAlarmsCard::say(const QString &sentence, ui::Role role)
     m_outcome->setText(sentence);
     m_outcome->setVisible(!sentence.isEmpty());
     widgets::setTextRole(m_outcome, role);
-}
-
-/// Tells assistive technology of new alarms as they come.
-void ActiveAlarmsCard::announce(const QList<Sighting> &alarms)
-{
-    const auto &newest = alarms.last().alarm;
-    m_sentence->setAccessibleDescription(
-        tr("New alarm %1: %2").arg(newest.alarm.code).arg(ui::alarmText(newest, m_codec)));
-    QAccessibleEvent event(m_sentence, QAccessible::Alert);
-    QAccessible::updateAccessibility(&event);
 }
 
 } // namespace pages

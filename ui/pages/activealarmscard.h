@@ -44,7 +44,6 @@ private:
     void onReset(const values::Result<void> &result);
     void checkReset();
     void say(const QString &sentence, ui::Role role);
-    void announce(const QList<journal::Sighting> &alarms);
     [[nodiscard]] QString activeNames() const;
     [[nodiscard]] QString stateSentence() const;
 

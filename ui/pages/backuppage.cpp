@@ -10,6 +10,7 @@
 #include "ui/pages/files/comparisoncard.h"
 #include "ui/pages/files/parts.h"
 #include "ui/pages/files/timeline.h"
+#include "ui/widgets/flow.h"
 #include "ui/widgets/orderbutton.h"
 #include <QComboBox>
 #include <QDir>
@@ -105,12 +106,12 @@ QWidget *BackupPage::timelineCard()
     auto *folder = button(tr("Folder…"), "chooseBackupFolder");
     connect(folder, &QPushButton::clicked, this, &BackupPage::chooseFolder);
     m_state->setObjectName(QStringLiteral("backupState"));
-    auto *buttons = new QHBoxLayout;
+    auto *buttons = new widgets::Flow;
     for (QPushButton *each : {m_backUp, m_verify, m_pin, m_export})
         buttons->addWidget(each);
     buttons->addStretch();
     buttons->addWidget(folder);
-    auto *keeping = new QHBoxLayout;
+    auto *keeping = new widgets::Flow;
     keeping->addWidget(widgets::text(tr("After a backup keep"), ui::Type::Body, ui::Role::Text2));
     keeping->addWidget(m_keep);
     keeping->addWidget(m_keepDays);

@@ -99,7 +99,6 @@ QWidget *FilesPage::between()
     m_send->setText(tr("Send →"));
     m_remove->setText(tr("Delete…"));
     auto *result = new QWidget;
-    result->setFixedWidth(200);
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(ui::space::gap);
@@ -168,7 +167,8 @@ void FilesPage::refresh()
     m_listing = std::make_unique<files::Collection>(*session, files::Collection::Sink {});
     m_listing->setPatterns({m_type->currentData().toByteArray()});
     m_listing->setListingOnly(true);
-    m_remote->setReason(tr("Reading the list…"));
+    m_remote->setReason({});
+    m_remote->setNote(tr("Reading the list…"));
     connect(m_listing.get(), &files::Operation::finished, this, &FilesPage::onListed);
     m_listing->start();
 }

@@ -6,6 +6,8 @@
 #include "settings/profilestore.h"
 #include "ui/dialogs/iowritedialog.h"
 #include "ui/pages/registerspage.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/gotoedit.h"
 #include "ui/widgets/lampdelegate.h"
 #include "ui/widgets/logicstrip.h"
 #include "ui/widgets/text.h"
@@ -59,7 +61,7 @@ IoPage::IoPage(const Context &context, QWidget *parent)
       m_dialect {context.profile.dialect()},
       m_watch {context.state, this},
       m_bar {new QTabBar},
-      m_goTo {new QLineEdit},
+      m_goTo {new widgets::GoToEdit(this)},
       m_sentence {widgets::sentence({}, ui::Role::Text2)},
       m_complaint {widgets::text({}, ui::Type::Body, ui::Role::Amber)},
       m_stack {new QStackedWidget},
@@ -104,22 +106,11 @@ QWidget *IoPage::head()
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
     m_bar->setUsesScrollButtons(true);
-    m_goTo->setObjectName(QStringLiteral("goTo"));
-    m_goTo->setAccessibleName(tr("Go to"));
-    m_goTo->setPlaceholderText(tr("Go to…  Ctrl+G"));
-    m_goTo->setMaximumWidth(180);
-    auto *action = new QAction(this);
-    action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
-    addAction(action);
-    connect(action, &QAction::triggered, this, [this] {
-        m_goTo->setFocus(Qt::ShortcutFocusReason);
-        m_goTo->selectAll();
-    });
     connect(m_goTo, &QLineEdit::returnPressed, this, &IoPage::onGoTo);
     auto *result = new QWidget;
-    auto *row = new QHBoxLayout(result);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(m_bar, 1);
+    auto *row = new widgets::Flow(result);
+    row->addWidget(m_bar);
+    row->addStretch();
     row->addWidget(m_complaint);
     row->addWidget(m_goTo);
     return result;

@@ -9,9 +9,12 @@
 #include "ui/widgets/table.h"
 
 class QLabel;
-class QLineEdit;
 class QStackedWidget;
 class QTabBar;
+
+namespace widgets {
+class GoToEdit;
+}
 
 namespace pages {
 
@@ -49,7 +52,7 @@ private:
     protocol::Dialect m_dialect;
     robot::SignalWatch m_watch;
     QTabBar *m_bar;
-    QLineEdit *m_goTo;
+    widgets::GoToEdit *m_goTo;
     QLabel *m_sentence;
     QLabel *m_complaint;
     QStackedWidget *m_stack;

@@ -12,9 +12,8 @@
 #include "ui/pages/jobs/servocard.h"
 #include "ui/pages/jobs/startcard.h"
 #include "ui/pages/jobs/taskscard.h"
+#include "ui/widgets/scrollcolumn.h"
 #include <QHBoxLayout>
-#include <QScrollArea>
-#include <QScrollBar>
 
 namespace pages {
 
@@ -63,14 +62,9 @@ QWidget *JobsPage::orderColumn(const Context &context)
              new ServoCard(context), new CycleCard(context), new PendantCard(context), m_tasks})
         column->addWidget(card);
     column->addStretch();
-    auto *scroll = new QScrollArea;
+    auto *scroll = new widgets::ScrollColumn(inner);
     scroll->setObjectName(QStringLiteral("jobOrders"));
     scroll->setAccessibleName(tr("Orders"));
-    scroll->setWidget(inner);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(280);
     return scroll;
 }
 

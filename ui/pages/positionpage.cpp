@@ -6,6 +6,7 @@
 #include "ui/pages/cartesiancard.h"
 #include "ui/pages/controlgroups.h"
 #include "ui/pages/toolpathcard.h"
+#include "ui/widgets/flow.h"
 #include "ui/widgets/board.h"
 #include <QApplication>
 #include <QClipboard>
@@ -73,11 +74,11 @@ QWidget *PositionPage::header()
     auto *resetButton = positionButton(QStringLiteral("resetExtremes"), tr("Reset min and max"));
     auto *copyButton = positionButton(QStringLiteral("copyPosition"), tr("Copy as text"));
     auto *result = new QWidget;
-    auto *row = new QHBoxLayout(result);
+    auto *row = new widgets::Flow(result);
     row->setContentsMargins(ui::space::page, 10, ui::space::page, 0);
-    row->setSpacing(ui::space::gap);
     row->addWidget(m_tabs);
-    row->addWidget(m_note, 1);
+    row->addWidget(m_note);
+    row->addStretch();
     row->addWidget(resetButton);
     row->addWidget(copyButton);
     connect(m_tabs, &QTabBar::currentChanged, this, &PositionPage::openTab);

@@ -44,8 +44,7 @@ RegistersPage::RegistersPage(const Context &context, QWidget *parent)
     base->setObjectName(QStringLiteral("base"));
     base->setAccessibleName(tr("How registers are written"));
     base->addItems({tr("Decimal"), tr("Signed"), tr("Hexadecimal"), tr("Binary")}); // in the order of Base
-    m_sheet->head()->insertWidget(0, base);
-    m_sheet->head()->insertStretch(1);
+    m_sheet->addToHead(base);
     m_sheet->setNote(tr("M000 to M559 can be written; the others belong to the ladder."));
     m_sheet->show(m_model);
     setContent(sheetCard(m_sheet));

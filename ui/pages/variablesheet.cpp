@@ -6,10 +6,11 @@
 #include "ui/dialogs/positiondialog.h"
 #include "ui/pages/variabletransfer.h"
 #include "ui/widgets/celleditor.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/gotoedit.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/text.h"
-#include <QAction>
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QPushButton>
@@ -21,8 +22,6 @@ using models::VariableModel;
 using variables::Reference;
 
 namespace {
-
-constexpr int noteDrop = 5; ///< The words of the note stand beside those of the buttons.
 
 QPushButton *sheetButton(const char *name, const QString &words)
 {
@@ -39,10 +38,10 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
       m_desk {desk},
       m_orders {context.orders},
       m_table {new widgets::Table},
-      m_head {new QHBoxLayout},
-      m_foot {new QHBoxLayout},
-      m_goTo {new QLineEdit},
-      m_sentence {widgets::text({}, ui::Type::Body, ui::Role::Amber)},
+      m_head {new widgets::Flow},
+      m_foot {new widgets::Flow},
+      m_goTo {new widgets::GoToEdit(this)},
+      m_sentence {widgets::sentence({}, ui::Role::Amber)},
       m_note {widgets::sentence({}, ui::Role::Text2)},
       m_apply {new widgets::OrderButton(context.orders, act, widgets::OrderButton::Reason::Below)},
       m_discard {sheetButton("discardButton", tr("Discard"))},
@@ -64,14 +63,20 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
     m_table->installEventFilter(this);
     m_sentence->setObjectName(QStringLiteral("sentence"));
     m_note->setObjectName(QStringLiteral("note"));
-    makeHead();
-    makeFoot(context, act);
+    m_head->addStretch();
+    m_head->addWidget(m_goTo);
+    connect(m_goTo, &QLineEdit::returnPressed, this, &VariableSheet::goTo);
+    makeFoot();
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(ui::space::gap);
     column->addLayout(m_head);
+    column->addWidget(m_sentence);
     column->addWidget(m_table, 1);
     column->addLayout(m_foot);
+    column->addWidget(m_note);
+    m_sentence->hide();
+    m_note->hide();
     connect(m_table, &widgets::Table::rowsInViewChanged, this, &VariableSheet::topicsChanged);
     connect(delegate, &widgets::ValueDelegate::dropped, this, [this](const QModelIndex &index, const QString &typed) {
         const QString name = toString(m_model->at(index.row()));
@@ -85,37 +90,26 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
     showEdits();
 }
 
-void VariableSheet::makeHead()
+void VariableSheet::addToHead(QWidget *widget) { m_head->insertWidget(m_head->count() - 2, widget); }
+
+void VariableSheet::addToFoot(QWidget *widget)
 {
-    m_goTo->setObjectName(QStringLiteral("goTo"));
-    m_goTo->setAccessibleName(tr("Go to"));
-    m_goTo->setPlaceholderText(tr("Go to…  Ctrl+G"));
-    m_goTo->setMaximumWidth(180);
-    m_head->addWidget(m_sentence);
-    m_head->addWidget(m_goTo);
-    connect(m_goTo, &QLineEdit::returnPressed, this, &VariableSheet::goTo);
-    auto *action = new QAction(this);
-    action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
-    addAction(action);
-    connect(action, &QAction::triggered, this, [this] {
-        m_goTo->setFocus(Qt::ShortcutFocusReason);
-        m_goTo->selectAll();
-    });
+    m_foot->insertWidget(m_foot->count() - 3, widget);
+    m_foot->setAlignment(widget, Qt::AlignTop);
 }
 
-void VariableSheet::makeFoot(const Context &, robot::Act)
+void VariableSheet::makeFoot()
 {
     auto *importButton = sheetButton("importButton", tr("Import…"));
     auto *exportButton = sheetButton("exportButton", tr("Export…"));
     m_apply->button()->setProperty("primary", true);
-    m_foot->setSpacing(10);
-    for (QWidget *widget :
-        {static_cast<QWidget *>(m_apply), static_cast<QWidget *>(m_discard), static_cast<QWidget *>(m_undo)})
-        m_foot->addWidget(widget, 0, Qt::AlignTop);
-    m_note->setContentsMargins(0, noteDrop, 0, 0);
-    m_foot->addWidget(m_note, 1, Qt::AlignTop);
-    m_foot->addWidget(importButton, 0, Qt::AlignTop);
-    m_foot->addWidget(exportButton, 0, Qt::AlignTop);
+    for (QWidget *widget : std::initializer_list<QWidget *> {m_apply, m_discard, m_undo})
+        m_foot->addWidget(widget);
+    m_foot->addStretch();
+    m_foot->addWidget(importButton);
+    m_foot->addWidget(exportButton);
+    for (QWidget *widget : std::initializer_list<QWidget *> {m_apply, m_discard, m_undo, importButton, exportButton})
+        m_foot->setAlignment(widget, Qt::AlignTop);
     connect(m_apply, &widgets::OrderButton::clicked, this, &VariableSheet::openApply);
     connect(m_discard, &QPushButton::clicked, this, &VariableSheet::discard);
     connect(m_undo, &QPushButton::clicked, &m_desk.edits, &robot::Edits::undo);
@@ -182,10 +176,15 @@ void VariableSheet::goTo()
 void VariableSheet::say(const QString &sentence, bool isTrouble)
 {
     m_sentence->setText(sentence);
+    m_sentence->setVisible(!sentence.isEmpty());
     widgets::setTextRole(m_sentence, isTrouble ? ui::Role::Amber : ui::Role::Text2);
 }
 
-void VariableSheet::setNote(const QString &note) { m_note->setText(note); }
+void VariableSheet::setNote(const QString &note)
+{
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
+}
 
 bool VariableSheet::eventFilter(QObject *watched, QEvent *event)
 {

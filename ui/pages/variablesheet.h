@@ -7,11 +7,11 @@
 #include "ui/widgets/table.h"
 
 class QLabel;
-class QLineEdit;
 class QPushButton;
-class QHBoxLayout;
 
 namespace widgets {
+class Flow;
+class GoToEdit;
 class OrderButton;
 }
 
@@ -44,9 +44,10 @@ public:
     bool select(const variables::Reference &variable);
     /// A sentence beside the buttons, such as that about the numbering.
     void setNote(const QString &note);
-    /// At the left and at the right end of the line above the table.
-    [[nodiscard]] QHBoxLayout *head() const { return m_head; }
-    [[nodiscard]] QHBoxLayout *foot() const { return m_foot; }
+    /// At the left end of the line above the table.
+    void addToHead(QWidget *widget);
+    /// Beside the buttons below it.
+    void addToFoot(QWidget *widget);
 
 Q_SIGNALS:
     void topicsChanged();
@@ -57,8 +58,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void makeHead();
-    void makeFoot(const Context &context, robot::Act act);
+    void makeFoot();
     void goTo();
     void say(const QString &sentence, bool isTrouble = true);
     void openEditor(const QModelIndex &index);
@@ -77,9 +77,9 @@ private:
     robot::Orders &m_orders;
     models::VariableModel *m_model = nullptr;
     widgets::Table *m_table;
-    QHBoxLayout *m_head;
-    QHBoxLayout *m_foot;
-    QLineEdit *m_goTo;
+    widgets::Flow *m_head;
+    widgets::Flow *m_foot;
+    widgets::GoToEdit *m_goTo;
     QLabel *m_sentence;
     QLabel *m_note;
     widgets::OrderButton *m_apply;

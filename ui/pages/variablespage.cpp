@@ -52,9 +52,9 @@ VariablesPage::VariablesPage(const Context &context, QWidget *parent)
     auto *add = new QPushButton(tr("New watch page…"));
     add->setObjectName(QStringLiteral("newWatchPage"));
     add->setProperty("link", true);
-    m_sheet->head()->insertWidget(0, m_bar, 1);
-    m_sheet->head()->insertWidget(1, add);
-    m_sheet->foot()->insertWidget(4, m_test, 0, Qt::AlignTop);
+    m_sheet->addToHead(m_bar);
+    m_sheet->addToHead(add);
+    m_sheet->addToFoot(m_test);
     m_sheet->table()->setContextMenuPolicy(Qt::CustomContextMenu);
     setContent(sheetCard(m_sheet));
     connect(m_bar, &QTabBar::currentChanged, this, [this](int tab) { m_sheet->show(m_tabs[tab].model); });

@@ -4,6 +4,8 @@
 
 #include "ui/conditionwords.h"
 #include "ui/dialogs/whynotdialog.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/tickbox.h"
 #include "ui/widgets/text.h"
 #include <QCheckBox>
 #include <QPushButton>
@@ -35,12 +37,11 @@ ArmControl::ArmControl(robot::Orders &orders, QWidget *parent)
     m_disarm->setObjectName(QStringLiteral("disarm"));
     m_reason->setObjectName(QStringLiteral("reason-arm"));
     m_reason->setFont(ui::font(ui::Type::Label));
-    auto *row = new QHBoxLayout;
+    auto *row = new Flow;
     for (QPushButton *button : {m_arm, m_disarm, m_why}) {
         button->setAutoDefault(false);
         row->addWidget(button);
     }
-    row->addStretch();
     column->addLayout(row);
     column->addWidget(m_reason);
     m_hold.setSingleShot(true);
@@ -58,7 +59,7 @@ ArmControl::ArmControl(robot::Orders &orders, QWidget *parent)
 
 void ArmControl::addBox(const char *name, const QString &text)
 {
-    auto *box = new QCheckBox(text);
+    auto *box = new TickBox(text);
     box->setObjectName(QLatin1String(name));
     layout()->addWidget(box);
     connect(box, &QCheckBox::toggled, this, &ArmControl::showState);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/widgets/card.h"
 
+#include "ui/widgets/flow.h"
 #include <QPainter>
 
 namespace widgets {
@@ -13,7 +14,7 @@ Card::Card(const QString &title, QWidget *parent)
       m_reason {sentence({}, ui::Role::Amber)},
       m_body {new QVBoxLayout}
 {
-    auto *header = new QHBoxLayout;
+    auto *header = new Flow;
     header->setSpacing(ui::space::gap);
     header->addWidget(m_title);
     header->addStretch();

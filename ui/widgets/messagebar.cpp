@@ -66,6 +66,7 @@ void MessageBar::show(const Message &message)
     if (isVisible()) {
         QAccessibleEvent event(this, QAccessible::Alert);
         QAccessible::updateAccessibility(&event);
+        Q_EMIT announced(message.text);
     }
 }
 

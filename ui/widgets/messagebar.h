@@ -35,6 +35,8 @@ public:
 
 Q_SIGNALS:
     void linkActivated();
+    /// Assistive technology was told: once for each message that comes in view.
+    void announced(const QString &words);
 
 protected:
     void paintEvent(QPaintEvent *event) override;

@@ -4,6 +4,7 @@
 
 #include "ui/conditionwords.h"
 #include "ui/dialogs/whynotdialog.h"
+#include "ui/widgets/flow.h"
 #include "ui/widgets/text.h"
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -36,11 +37,10 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
     m_why->setProperty("link", true);
     m_reason->setObjectName(QLatin1String("reason-") + name);
     m_reason->setFont(ui::font(ui::Type::Label));
-    auto *row = new QHBoxLayout;
+    auto *row = new Flow;
     row->setSpacing(4);
     row->addWidget(m_button);
     row->addWidget(m_why);
-    row->addStretch();
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);

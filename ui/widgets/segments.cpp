@@ -2,19 +2,32 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/widgets/segments.h"
 
+#include "ui/theme.h"
+#include "ui/widgets/flow.h"
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QPushButton>
 
 namespace widgets {
+
+namespace {
+
+/// The chosen one is written bold, and its neighbours stand still.
+int chosenWidth(const QString &word)
+{
+    QFont bold = ui::font(ui::Type::Body);
+    bold.setWeight(QFont::DemiBold);
+    constexpr int padding = 9; // of the style sheet, with the border
+    return QFontMetrics(bold).horizontalAdvance(word) + 2 * padding + 1;
+}
+
+} // namespace
 
 Segments::Segments(const QString &name, const QString &title, QWidget *parent)
     : QWidget(parent), m_title {title}, m_group {new QButtonGroup(this)}
 {
     setObjectName(name);
     setAccessibleName(title);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto *row = new Flow(this);
     row->setSpacing(0);
     connect(m_group, &QButtonGroup::idClicked, this, &Segments::changed);
 }
@@ -29,6 +42,7 @@ void Segments::setChoices(const QStringList &words, int chosen)
         button->setCheckable(true);
         button->setAutoDefault(false);
         button->setProperty("segment", true);
+        button->setMinimumWidth(chosenWidth(words[place]));
         m_group->addButton(button, place);
         layout()->addWidget(button);
     }

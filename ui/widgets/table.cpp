@@ -142,9 +142,14 @@ void Table::look()
         Q_EMIT rowsInViewChanged();
 }
 
+/// The current row stays in view when the table gets lower.
 void Table::resizeEvent(QResizeEvent *event)
 {
+    const int row = currentIndex().row();
+    const bool wasInView = currentIndex().isValid() && row >= m_rowsInView.first && row <= m_rowsInView.last;
     QTableView::resizeEvent(event);
+    if (wasInView && event->size().height() < event->oldSize().height())
+        scrollTo(currentIndex());
     look();
 }
 

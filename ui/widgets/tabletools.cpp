@@ -43,17 +43,19 @@ void fitColumns(QTableView *table, const QStringList &samples)
     QHeaderView *header = table->horizontalHeader();
     QFont bold = table->font();
     bold.setWeight(QFont::DemiBold);
+    int stretched = std::min(least, header->defaultSectionSize()) / 2;
     for (int column = 0; column < samples.size(); ++column) {
+        const QString head = table->model()->headerData(column, Qt::Horizontal).toString();
+        const int headNeed = QFontMetrics(header->font()).horizontalAdvance(head) + cellMargin;
         if (samples[column].isEmpty()) {
             header->setSectionResizeMode(column, QHeaderView::Stretch);
+            stretched = std::max(stretched, headNeed);
             continue;
         }
-        const int need = QFontMetrics(bold).horizontalAdvance(samples[column]);
-        const QString head = table->model()->headerData(column, Qt::Horizontal).toString();
-        const int headNeed = QFontMetrics(header->font()).horizontalAdvance(head);
-        header->resizeSection(column, std::max(need, headNeed) + cellMargin);
+        const int need = QFontMetrics(bold).horizontalAdvance(samples[column]) + cellMargin;
+        header->resizeSection(column, std::max(need, headNeed));
     }
-    header->setMinimumSectionSize(std::min(least, header->defaultSectionSize()) / 2);
+    header->setMinimumSectionSize(stretched);
 }
 
 QString rowsAsText(const QTableView *table)

@@ -4,7 +4,8 @@
 
 #include "ui/pages/files/parts.h"
 #include "ui/widgets/diffview.h"
-#include <QCheckBox>
+#include "ui/widgets/flow.h"
+#include "ui/widgets/tickbox.h"
 #include <QTreeWidget>
 
 using files::Change;
@@ -35,7 +36,7 @@ QString changeWord(Change change)
 ComparisonCard::ComparisonCard(const protocol::TextCodec &codec, QWidget *parent)
     : Card(tr("Comparison"), parent),
       m_codec {codec},
-      m_tools {new QHBoxLayout},
+      m_tools {new widgets::Flow},
       m_files {new QTreeWidget},
       m_diff {new widgets::DiffView(codec)}
 {
@@ -52,9 +53,11 @@ ComparisonCard::ComparisonCard(const protocol::TextCodec &codec, QWidget *parent
 QLayout *ComparisonCard::noiseRules()
 {
     auto *grid = new QGridLayout;
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
     grid->addWidget(widgets::text(tr("Not counted as a difference:"), ui::Type::Label, ui::Role::Text2), 0, 0, 1, 2);
     for (const files::NoiseRule &rule : files::noiseRules()) {
-        auto *box = new QCheckBox(title(rule));
+        auto *box = new widgets::TickBox(title(rule));
         box->setObjectName(QLatin1String("noise-") + QLatin1String(rule.key));
         box->setProperty("rule", QLatin1String(rule.key));
         box->setChecked(true);

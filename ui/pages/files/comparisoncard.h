@@ -11,6 +11,7 @@ class QTreeWidget;
 
 namespace widgets {
 class DiffView;
+class Flow;
 }
 
 namespace pages {
@@ -24,7 +25,7 @@ public:
     explicit ComparisonCard(const protocol::TextCodec &codec, QWidget *parent = nullptr);
 
     /// A place for what belongs above the comparison.
-    [[nodiscard]] QHBoxLayout *tools() const { return m_tools; }
+    [[nodiscard]] widgets::Flow *tools() const { return m_tools; }
     void showSets(const files::FileSet &older, const files::FileSet &newer);
     /// A sentence instead of a comparison.
     void showSentence(const QString &sentence);
@@ -37,7 +38,7 @@ private:
     protocol::TextCodec m_codec;
     files::FileSet m_older;
     files::FileSet m_newer;
-    QHBoxLayout *m_tools;
+    widgets::Flow *m_tools;
     QList<QCheckBox *> m_noise;
     QTreeWidget *m_files;
     widgets::DiffView *m_diff;

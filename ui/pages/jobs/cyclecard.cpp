@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/jobs/cyclecard.h"
 
+#include "ui/widgets/flow.h"
 #include "ui/widgets/statefield.h"
 #include "ui/words.h"
 #include <QAbstractItemView>
@@ -47,9 +48,9 @@ CycleCard::CycleCard(const Context &context, QWidget *parent)
     m_choice->setAccessibleName(tr("Cycle mode to request"));
     for (const Mode &mode : modes)
         m_choice->addItem(wordOf(mode.flag));
-    auto *row = new QHBoxLayout;
-    row->addWidget(m_actual, 1);
-    row->addWidget(m_requested, 1);
+    auto *row = new widgets::Flow;
+    row->addWidget(m_actual);
+    row->addWidget(m_requested);
     body()->addLayout(row);
     body()->addWidget(m_choice);
     m_select = addButton(Act::SelectCycle);

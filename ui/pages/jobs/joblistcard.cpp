@@ -4,7 +4,7 @@
 
 #include "protocol/codes.h"
 #include "settings/profilestore.h"
-#include <QHBoxLayout>
+#include "ui/widgets/flow.h"
 #include <QJsonArray>
 #include <QLineEdit>
 #include <QListView>
@@ -85,7 +85,7 @@ void JobListCard::makeWidgets()
     m_favourite->setObjectName(QStringLiteral("favourite"));
     m_favourite->setCheckable(true);
     m_read->setObjectName(QStringLiteral("readJobs"));
-    auto *buttons = new QHBoxLayout;
+    auto *buttons = new widgets::Flow;
     buttons->addWidget(m_favourite);
     buttons->addStretch();
     buttons->addWidget(m_read);

@@ -3,6 +3,8 @@
 #include "ui/pages/jobs/jobtextcard.h"
 
 #include "protocol/codes.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/tickbox.h"
 #include "ui/widgets/jobview.h"
 #include "ui/widgets/messagebar.h"
 #include "ui/words.h"
@@ -27,7 +29,7 @@ JobTextCard::JobTextCard(const Context &context, JobLibrary &library, QWidget *p
       m_view {new widgets::JobView},
       m_empty {widgets::sentence(tr("Choose a job in the list to read it."), ui::Role::Text2)},
       m_outline {new QListWidget},
-      m_follow {new QCheckBox(tr("Follow what is executed"))},
+      m_follow {new widgets::TickBox(tr("Follow what is executed"))},
       m_read {new QPushButton(tr("Read again"))}
 {
     m_old->setObjectName(QStringLiteral("oldCopy"));
@@ -40,7 +42,7 @@ JobTextCard::JobTextCard(const Context &context, JobLibrary &library, QWidget *p
     auto *texts = new QHBoxLayout;
     texts->addWidget(m_view, 3);
     texts->addWidget(outline(), 1);
-    auto *row = new QHBoxLayout;
+    auto *row = new widgets::Flow;
     row->addWidget(m_follow);
     row->addStretch();
     row->addWidget(m_read);

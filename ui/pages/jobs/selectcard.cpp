@@ -3,6 +3,7 @@
 #include "ui/pages/jobs/selectcard.h"
 
 #include "ui/words.h"
+#include "ui/widgets/flow.h"
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -35,9 +36,9 @@ SelectCard::SelectCard(const Context &context, QWidget *parent)
     m_line->setAccessibleName(tr("From line"));
     m_line->setPrefix(tr("line "));
     m_line->setRange(0, lastLine);
-    auto *row = new QHBoxLayout;
-    row->addWidget(m_target, 2);
-    row->addWidget(m_line, 1);
+    auto *row = new widgets::Flow;
+    row->addWidget(m_target);
+    row->addWidget(m_line);
     body()->addLayout(row);
     m_execute = addButton(Act::SelectJob);
     m_master = addButton(Act::SelectMasterJob);

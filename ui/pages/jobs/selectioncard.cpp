@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/jobs/selectioncard.h"
 
+#include "ui/widgets/flow.h"
 #include "ui/widgets/statefield.h"
 #include "ui/words.h"
 #include <QHBoxLayout>
@@ -22,6 +23,18 @@ StateField *field(const char *name, const QString &title, ui::Type type)
     return result;
 }
 
+/// The two stand together, beside or above the other two.
+QLayout *pair(QWidget *job, QWidget *place)
+{
+    auto *result = new QHBoxLayout;
+    result->setSpacing(ui::space::gap);
+    for (QWidget *field : {job, place})
+        field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    result->addWidget(job, 2);
+    result->addWidget(place, 3);
+    return result;
+}
+
 } // namespace
 
 SelectionCard::SelectionCard(const Context &context, QWidget *parent)
@@ -34,12 +47,10 @@ SelectionCard::SelectionCard(const Context &context, QWidget *parent)
       m_executingPlace {field("executingPlace", tr("Where it is"), ui::Type::Body)}
 {
     setNote(tr("master task"));
-    auto *row = new QHBoxLayout;
+    auto *row = new widgets::Flow;
     row->setSpacing(ui::space::gap);
-    row->addWidget(m_selectedJob, 2);
-    row->addWidget(m_selectedPlace, 3);
-    row->addWidget(m_executingJob, 2);
-    row->addWidget(m_executingPlace, 3);
+    row->addLayout(pair(m_selectedJob, m_selectedPlace));
+    row->addLayout(pair(m_executingJob, m_executingPlace));
     body()->addLayout(row);
     connect(&m_state, &robot::RobotState::changed, this, &SelectionCard::showJobs);
     showJobs();

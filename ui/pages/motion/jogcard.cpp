@@ -6,8 +6,8 @@
 #include "ui/widgets/jogpad.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/tickbox.h"
 #include "variables/text.h"
-#include <QCheckBox>
 
 namespace pages {
 
@@ -54,7 +54,7 @@ JogCard::JogCard(const Context &context, robot::Jog &jog, QWidget *parent)
       m_speed {new widgets::Segments(QStringLiteral("jogSpeed"), tr("Speed"))},
       m_frame {new widgets::Segments(QStringLiteral("jogFrame"), tr("Frame"))},
       m_pad {new widgets::JogPad},
-      m_keys {new QCheckBox(tr("Keyboard too: hold Ctrl and Space on the button that has the focus"))},
+      m_keys {new widgets::TickBox(tr("Keyboard too: hold Ctrl and Space on the button that has the focus"))},
       m_worst {widgets::sentence({}, ui::Role::Text1)},
       m_result {widgets::sentence({}, ui::Role::Text2)}
 {

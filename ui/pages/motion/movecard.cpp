@@ -174,9 +174,9 @@ QWidget *MoveCard::speeds()
     m_toolSpeed = speed("moveToolSpeed", tr("Speed in mm/s"), limits.toolSpeed, usual.tool);
     m_rotationSpeed = speed("moveRotationSpeed", tr("Rotation speed in °/s"), limits.rotationSpeed, usual.rotation);
     m_jointSpeed = speed("moveJointSpeed", tr("Joint speed in %"), limits.jointSpeed, usual.joint);
-    return holding(fields({{tr("mm/s, at most %1").arg(limits.toolSpeed), m_toolSpeed},
-        {tr("°/s, at most %1").arg(limits.rotationSpeed), m_rotationSpeed},
-        {tr("% of joint speed, at most %1").arg(limits.jointSpeed), m_jointSpeed}}));
+    return holding(fields({{tr("mm/s, at most %1").arg(QLocale().toString(limits.toolSpeed)), m_toolSpeed},
+        {tr("°/s, at most %1").arg(QLocale().toString(limits.rotationSpeed)), m_rotationSpeed},
+        {tr("% of joint speed, at most %1").arg(QLocale().toString(limits.jointSpeed)), m_jointSpeed}}));
 }
 
 PositionType MoveCard::frame() const { return PositionType(m_frame->currentData().toUInt()); }
