@@ -77,7 +77,7 @@ Notice noticeOf(const LinkView &link, const settings::Profile &profile)
 {
     if (link.state == LinkState::Disconnected)
         return {};
-    const Notice about = linkNotice(link, profile);
+    Notice about = linkNotice(link, profile);
     Notice hold = holdNotice(link);
     if (hold.message.text.isEmpty())
         return about;

@@ -4,8 +4,8 @@
 
 #include "ui/icons.h"
 #include "ui/pagecatalog.h"
-#include "ui/widgets/scrollcolumn.h"
 #include "ui/widgets/controllertile.h"
+#include "ui/widgets/scrollcolumn.h"
 #include "ui/widgets/text.h"
 #include "ui/words.h"
 #include <QButtonGroup>

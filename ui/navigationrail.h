@@ -13,7 +13,7 @@ class QVBoxLayout;
 namespace widgets {
 class ControllerTile;
 struct Word;
-}
+} // namespace widgets
 
 namespace ui {
 

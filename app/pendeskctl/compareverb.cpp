@@ -82,7 +82,7 @@ int runCompare(const QStringList &arguments)
     // Two bags need no controller; then its options are not missed.
     help.needsController = arguments.contains(QStringLiteral("--host"))
         || arguments.contains(QStringLiteral("--profile"))
-        || arguments.filter(QRegularExpression {QStringLiteral("^--(host|profile)=")}).size() > 0
+        || !arguments.filter(QRegularExpression {QStringLiteral("^--(host|profile)=")}).isEmpty()
         || arguments.contains(QStringLiteral("--help")) || plain.size() < 2;
     if (const auto end = read(call, parser, help, arguments))
         return *end;

@@ -60,7 +60,7 @@ void expand(Desk &desk, const QStringList &words, const QStringList &done, const
         return handler(done);
     const auto goOn = [&desk, rest = words.sliced(1), done, handler](
                           const QStringList &names) { expand(desk, rest, done + names, handler); };
-    const QString word = words.first();
+    const QString &word = words.first();
     if (word.contains(u'*') || word.contains(u'?'))
         list(desk, word, [word, goOn](const QStringList &names) {
             if (names.isEmpty())

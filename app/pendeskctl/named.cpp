@@ -238,7 +238,7 @@ Result<Selection> selectionFromText(const QString &text, const protocol::Dialect
     });
 }
 
-void readAll(Desk &desk, const QList<Selection> &selections, ValuesHandler handler)
+void readAll(Desk &desk, const QList<Selection> &selections, const ValuesHandler &handler)
 {
     if (selections.isEmpty())
         return handler(QList<NamedValue> {});
@@ -253,7 +253,7 @@ void readAll(Desk &desk, const QList<Selection> &selections, ValuesHandler handl
 }
 
 void write(Desk &desk, const variables::Reference &reference, const QString &typed,
-    std::function<void(const Result<NamedValue> &)> handler)
+    const std::function<void(const Result<NamedValue> &)> &handler)
 {
     const auto value = variables::fromText(reference.kind, typed, formatOf(desk));
     if (!value)

@@ -33,11 +33,11 @@ struct Selection {
 
 using ValuesHandler = std::function<void(const values::Result<QList<NamedValue>> &)>;
 /// Reads one selection after the other, each in the fewest packets. The first error ends it.
-void readAll(Desk &desk, const QList<Selection> &selections, ValuesHandler handler);
+void readAll(Desk &desk, const QList<Selection> &selections, const ValuesHandler &handler);
 
 /// Writes one variable or register and reads it back. Malformed with a sentence if another value came back.
 void write(Desk &desk, const variables::Reference &reference, const QString &typed,
-    std::function<void(const values::Result<NamedValue> &)> handler);
+    const std::function<void(const values::Result<NamedValue> &)> &handler);
 
 /// Prints values as lines, or as one object by name.
 void print(const Call &call, const QList<NamedValue> &values);

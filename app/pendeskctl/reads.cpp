@@ -32,7 +32,7 @@ QString textOf(const QJsonValue &value)
     if (!value.isArray())
         return value.toVariant().toString();
     QStringList parts;
-    for (const QJsonValue &part : value.toArray())
+    for (const QJsonValue part : value.toArray())
         parts << part.toVariant().toString();
     return parts.join(QStringLiteral(", "));
 }

@@ -71,7 +71,7 @@ void Backup::onCollected()
 void Backup::seal()
 {
     const auto work = [writing = m_writing, archive = m_archive, order = m_order] {
-        const auto sealed = writing->writer->seal(order.info);
+        auto sealed = writing->writer->seal(order.info);
         if (!sealed)
             return sealed;
         return archive.prune(order.retention, order.info.taken).map([&](const QStringList &) { return *sealed; });

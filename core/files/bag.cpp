@@ -53,7 +53,7 @@ QString BagWriter::path() const { return partial(m_folder + u'/' + m_id); }
 Result<void> BagWriter::add(const FileName &name, const QByteArray &content)
 {
     const QString inside = QStringLiteral("data/") + m_names.take(name);
-    const auto written = writeNew(path() + u'/' + inside, content);
+    auto written = writeNew(path() + u'/' + inside, content);
     if (written) {
         m_manifest[inside.toUtf8()] = sha256(content);
         m_bytes += content.size();
@@ -80,7 +80,7 @@ Result<QString> BagWriter::seal(const BagInfo &info)
 {
     if (const auto written = writeTags(info).and_then([this] { return syncTree(path()); }); !written)
         return tl::unexpected(written.error());
-    const QString target = m_folder + u'/' + m_id;
+    QString target = m_folder + u'/' + m_id;
     if (!QDir {}.rename(path(), target))
         return local(QStringLiteral("%1: the folder cannot be renamed").arg(path()));
     m_isSealed = true;
@@ -119,7 +119,7 @@ FileSet Bag::files() const
         const auto path = paths.find(name);
         if (path == paths.end())
             return local(QStringLiteral("%1 is not in the backup").arg(QString::fromLatin1(name.bytes())));
-        const auto content = readFile(path->second);
+        auto content = readFile(path->second);
         if (content && sha256(*content) != hashes.at(name))
             return local(QStringLiteral("%1 is not as it was written").arg(path->second));
         return content;

@@ -3,6 +3,7 @@
 #include "files/linediff.h"
 
 #include <QHash>
+#include <QList>
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -26,9 +27,9 @@ public:
     std::optional<std::vector<std::pair<int, int>>> matches();
 
 private:
-    using Reach = std::vector<int>; ///< Index: diagonal + edits + 1.
+    using Reach = QList<int>; ///< Index: diagonal + edits + 1.
 
-    int x(const Reach &reach, int edits, int diagonal) const { return reach[std::size_t(diagonal + edits + 1)]; }
+    int x(const Reach &reach, int edits, int diagonal) const { return reach[diagonal + edits + 1]; }
     bool comesFromAbove(const Reach &before, int edits, int diagonal) const;
     bool advance(int edits);
     std::vector<std::pair<int, int>> goBack() const;
@@ -52,7 +53,7 @@ bool Search::advance(int edits)
     const int oldSize = int(m_older.size());
     const int newSize = int(m_newer.size());
     const Reach &before = m_reaches.back();
-    Reach after(std::size_t(2 * edits + 3), -1);
+    Reach after(2 * edits + 3, -1);
     bool isDone = false;
     for (int diagonal = -edits; diagonal <= edits; diagonal += 2) {
         int at = 0;
@@ -62,7 +63,7 @@ bool Search::advance(int edits)
         while (at >= 0 && at < oldSize && at - diagonal < newSize && at - diagonal >= 0
             && m_older[std::size_t(at)] == m_newer[std::size_t(at - diagonal)])
             ++at;
-        after[std::size_t(diagonal + edits + 1)] = at;
+        after[diagonal + edits + 1] = at;
         isDone = isDone || (at >= oldSize && at - diagonal >= newSize);
     }
     m_reaches.push_back(std::move(after));

@@ -29,6 +29,7 @@ const std::vector<QRegularExpression> &expressions()
 {
     static const std::vector<QRegularExpression> compiled = [] {
         std::vector<QRegularExpression> result;
+        result.reserve(std::size(rules));
         for (const NoiseRule &rule : rules)
             result.emplace_back(QString::fromLatin1(rule.pattern));
         return result;

@@ -51,7 +51,7 @@ Verification Verifier::run()
 std::optional<Manifest> Verifier::readManifest(const QString &name)
 {
     const auto text = readFile(m_path + u'/' + name);
-    const auto manifest = text ? manifestFrom(*text) : std::nullopt;
+    auto manifest = text ? manifestFrom(*text) : std::nullopt;
     if (!manifest)
         add(text ? FaultKind::Malformed : FaultKind::NotABag, name);
     return manifest;

@@ -77,7 +77,7 @@ Result<void> writeZip(const QString &folder, const QString &target)
         return failed(target, zip.get());
     const QDir above = QFileInfo {folder}.absoluteDir();
     for (const QString &path : filesUnder(folder)) {
-        if (const auto added = add(zip.get(), path, above.relativeFilePath(path)); !added)
+        if (auto added = add(zip.get(), path, above.relativeFilePath(path)); !added)
             return added;
     }
     if (archive_write_close(zip.get()) != ARCHIVE_OK)

@@ -90,7 +90,7 @@ Result<void> Database::connect()
 Result<void> Database::prepare()
 {
     if (isFile()) {
-        const auto configured = execute(QStringLiteral("PRAGMA journal_mode=WAL")).and_then([this] {
+        auto configured = execute(QStringLiteral("PRAGMA journal_mode=WAL")).and_then([this] {
             return execute(QStringLiteral("PRAGMA synchronous=NORMAL"));
         });
         if (!configured)

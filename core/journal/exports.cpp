@@ -37,7 +37,7 @@ template <typename Write> Result<qint64> toFile(const QString &path, Format form
     if (!file.open(QIODevice::WriteOnly))
         return values::failure(values::ErrorKind::LocalFile, file.errorString());
     TableWriter table {file, format, names(columns)};
-    const Result<qint64> count = write(table);
+    Result<qint64> count = write(table);
     table.end();
     if (count && !file.commit())
         return values::failure(values::ErrorKind::LocalFile, file.errorString());

@@ -51,7 +51,7 @@ private:
     static Result<void> writeAll(Database &database, const std::vector<Change> &batch)
     {
         for (const Change &change : batch) {
-            const auto done = std::visit([&](const auto &record) { return journal::write(database, record); }, change);
+            auto done = std::visit([&](const auto &record) { return journal::write(database, record); }, change);
             if (!done)
                 return done;
         }
@@ -103,7 +103,10 @@ qsizetype Store::weight(const Change &change)
     return reading ? reading->entries.size() : 1;
 }
 
-qsizetype Store::waitingCount() const { return qsizetype(m_waiting.size() + (m_batch ? m_batch->size() : 0)); }
+qsizetype Store::waitingCount() const
+{
+    return qsizetype(m_waiting.size()) + (m_batch ? qsizetype(m_batch->size()) : 0);
+}
 
 void Store::add(Change change)
 {
@@ -203,60 +206,62 @@ template <typename Value> void Store::ask(Question<Value> question, QObject *con
 void Store::orders(
     const OrderFilter &filter, const Cursor &from, int count, QObject *context, Handler<Page<OrderRecord>> handler)
 {
-    ask<Page<OrderRecord>>(
-        [=](Database &database) { return journal::orders(database, filter, from, count); }, context, handler);
+    ask<Page<OrderRecord>>([=](Database &database) { return journal::orders(database, filter, from, count); }, context,
+        std::move(handler));
 }
 
 void Store::orderActions(QObject *context, Handler<QStringList> handler)
 {
-    ask<QStringList>(&journal::orderActions, context, handler);
+    ask<QStringList>(&journal::orderActions, context, std::move(handler));
 }
 
 void Store::orderControllers(QObject *context, Handler<QStringList> handler)
 {
-    ask<QStringList>(&journal::orderControllers, context, handler);
+    ask<QStringList>(&journal::orderControllers, context, std::move(handler));
 }
 
 void Store::alarms(
     const AlarmFilter &filter, const Cursor &from, int count, QObject *context, Handler<Page<AlarmRecord>> handler)
 {
-    ask<Page<AlarmRecord>>(
-        [=](Database &database) { return journal::alarms(database, filter, from, count); }, context, handler);
+    ask<Page<AlarmRecord>>([=](Database &database) { return journal::alarms(database, filter, from, count); }, context,
+        std::move(handler));
 }
 
 void Store::sightings(const QString &controller, QObject *context, Handler<QList<Sighting>> handler)
 {
-    ask<QList<Sighting>>(
-        [=](Database &database) { return journal::sightings(database, controller, mostSightings); }, context, handler);
+    ask<QList<Sighting>>([=](Database &database) { return journal::sightings(database, controller, mostSightings); },
+        context, std::move(handler));
 }
 
 void Store::statistics(const AlarmFilter &filter, int count, QObject *context, Handler<QList<CodeStatistics>> handler)
 {
     ask<QList<CodeStatistics>>(
-        [=](Database &database) { return journal::statistics(database, filter, count); }, context, handler);
+        [=](Database &database) { return journal::statistics(database, filter, count); }, context, std::move(handler));
 }
 
 void Store::notes(QObject *context, Handler<QList<Note>> handler)
 {
-    ask<QList<Note>>(&journal::notes, context, handler);
+    ask<QList<Note>>(&journal::notes, context, std::move(handler));
 }
 
 void Store::exportOrders(
     const OrderFilter &filter, const QString &path, Format format, QObject *context, Handler<qint64> handler)
 {
-    ask<qint64>([=](Database &database) { return exports::orders(database, filter, path, format); }, context, handler);
+    ask<qint64>([=](Database &database) { return exports::orders(database, filter, path, format); }, context,
+        std::move(handler));
 }
 
 void Store::exportAlarms(const AlarmFilter &filter, const protocol::TextCodec &codec, const QString &path,
     Format format, QObject *context, Handler<qint64> handler)
 {
-    ask<qint64>(
-        [=](Database &database) { return exports::alarms(database, filter, codec, path, format); }, context, handler);
+    ask<qint64>([=](Database &database) { return exports::alarms(database, filter, codec, path, format); }, context,
+        std::move(handler));
 }
 
 void Store::exportNotes(const QString &path, Format format, QObject *context, Handler<qint64> handler)
 {
-    ask<qint64>([=](Database &database) { return exports::notes(database, path, format); }, context, handler);
+    ask<qint64>(
+        [=](Database &database) { return exports::notes(database, path, format); }, context, std::move(handler));
 }
 
 } // namespace journal

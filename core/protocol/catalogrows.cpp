@@ -20,7 +20,7 @@ InstanceRange variables(int count, Numbering numbering)
 {
     return {variableInstance(0, numbering), variableInstance(count - 1, numbering)};
 }
-Ranges onlyIf(bool has, Ranges ranges) { return has ? ranges : Ranges {}; }
+Ranges onlyIf(bool has, const Ranges &ranges) { return has ? ranges : Ranges {}; }
 
 // The instances, reference §2.1 and the section of each command.
 Ranges onlyFirst(const Dialect &) { return {{1, 1}}; }

@@ -15,7 +15,7 @@ class QHostAddress;
 namespace session {
 class FileSession;
 class Session;
-}
+} // namespace session
 
 namespace robot {
 
@@ -59,8 +59,8 @@ public:
     /// it, as Orders::linkDropped() tells.
     [[nodiscard]] session::FileSession *files() const;
 
-    /// The variables of this controller are numbered so from now on. What was read is forgotten, and an open link begins
-    /// anew.
+    /// The variables of this controller are numbered so from now on. What was read is forgotten, and an open link
+    /// begins anew.
     void setNumbering(protocol::Numbering numbering, const QDateTime &verified, const QString &software);
 
     /// Begins checking. Nothing but reads is sent, now and whenever the link comes back.

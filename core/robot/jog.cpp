@@ -12,7 +12,7 @@ namespace robot {
 
 namespace {
 
-constexpr auto pulse = 50ms;
+constexpr auto beat = 50ms;
 
 /// Every condition of a step but that nothing runs, which the engine looks at itself.
 bool allowsMotion(const Orders &orders)
@@ -28,7 +28,7 @@ Jog::Jog(Orders &orders, const Result<motion::Limits> &limits, QObject *parent)
 {
     connect(&orders.arming(), &Arming::changed, this, [this] { obey(m_engine.setArmed(m_orders.isArmed(), now())); });
     connect(&orders, &Orders::linkDropped, this, [this] { obey(m_engine.loseLink(now())); });
-    m_clock.setInterval(pulse);
+    m_clock.setInterval(beat);
     m_clock.setTimerType(Qt::PreciseTimer);
     connect(&m_clock, &QTimer::timeout, this, [this] {
         obey(m_engine.tick(now()));

@@ -14,8 +14,8 @@ constexpr std::chrono::milliseconds longTime = 60s;
 
 } // namespace
 
-Move::Move(Orders &orders, motion::Plan plan, motion::Present present, QObject *parent)
-    : QObject {parent}, m_orders {orders}, m_plan {std::move(plan)}, m_present {std::move(present)}
+Move::Move(Orders &orders, const motion::Plan &plan, const motion::Present &present, QObject *parent)
+    : QObject {parent}, m_orders {orders}, m_plan {plan}, m_present {present}
 {
     connect(&orders.controller().state(), &RobotState::changed, this, &Move::onStateChanged);
     connect(&orders, &Orders::linkDropped, this, [this] {

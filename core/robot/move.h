@@ -18,7 +18,7 @@ public:
     using Outcome = motion::Follower::Outcome;
 
     /// `orders` must outlive it. `present` is what the plan was made from.
-    Move(Orders &orders, motion::Plan plan, motion::Present present, QObject *parent = nullptr);
+    Move(Orders &orders, const motion::Plan &plan, const motion::Present &present, QObject *parent = nullptr);
 
     void start();
     [[nodiscard]] const motion::Plan &plan() const { return m_plan; }

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "session/transfer.h"
 #include "session/policy.h"
+#include "session/transfer.h"
 #include "settings/profile.h"
 
 namespace robot {

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] Interest want(const QList<TopicRange> &topics);
 
     /// Only while nothing is read.
-    void setDialect(protocol::Dialect dialect) { m_dialect = std::move(dialect); }
+    void setDialect(protocol::Dialect dialect) { m_dialect = dialect; }
     /// Begins reading over `session`, which must stay until stop(). Topics that are read once are read again.
     void start(session::Session &session);
     void stop();

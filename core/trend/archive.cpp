@@ -78,7 +78,7 @@ QList<Signal> Archive::signalSet() const
     const auto json = read(m_folder.filePath(signalsFile()));
     if (!json)
         return result;
-    for (const QJsonValue &value : json->array()) {
+    for (const QJsonValue value : json->array()) {
         if (const auto signal = fromKey(value.toString()); signal && !result.contains(*signal))
             result << *signal;
     }

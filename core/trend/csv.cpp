@@ -34,13 +34,13 @@ QByteArray number(const Sample &sample)
 struct Cursor {
     Series::View left;
 
-    [[nodiscard]] bool isAt(Moment at) const { return !left.empty() && left.front().at == at; }
+    [[nodiscard]] bool isAt(Moment at) const { return !left.isEmpty() && left.first->at == at; }
     QByteArray take(Moment at)
     {
         if (!isAt(at))
             return {};
-        const QByteArray text = number(left.front());
-        left.advance(1);
+        QByteArray text = number(*left.first);
+        ++left.first;
         return text;
     }
 };
@@ -59,8 +59,8 @@ QByteArray toCsv(std::span<const Track *const> tracks, const Range &range)
     while (true) {
         std::optional<Moment> next;
         for (const Cursor &cursor : cursors) {
-            if (!cursor.left.empty())
-                next = std::min(next.value_or(Moment::max()), cursor.left.front().at);
+            if (!cursor.left.isEmpty())
+                next = std::min(next.value_or(Moment::max()), cursor.left.first->at);
         }
         if (!next)
             return csv;

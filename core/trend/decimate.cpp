@@ -45,7 +45,7 @@ std::vector<Sample> decimate(const Series &series, const Range &range, int colum
     const auto view = series.around(range);
     const auto width = std::max((range.to - range.from) / std::max(columns, 1), std::chrono::milliseconds {1});
     std::vector<Sample> result;
-    result.reserve(std::min(std::size_t(view.size()), std::size_t(std::max(columns, 1)) * 2 + 4));
+    result.reserve(std::min(view.size(), std::size_t(std::max(columns, 1)) * 2 + 4));
     Column column;
     auto current = std::numeric_limits<std::int64_t>::min();
     for (const Sample &sample : view) {

@@ -64,7 +64,7 @@ Result<Track> trackFrom(const QJsonObject &json, const Signal &signal, Moment ze
         return values::badInput(QStringLiteral("%1 has no known unit").arg(key(signal)));
     Track track {
         signal, json[s("label")].toString(), *unit, Series {std::size_t(std::max<qsizetype>(samples.size(), 2))}};
-    for (const QJsonValue &value : samples) {
+    for (const QJsonValue value : samples) {
         const auto sample = sampleFrom(value, zero);
         if (!sample)
             return tl::unexpected(sample.error());
@@ -77,7 +77,7 @@ Result<Track> trackFrom(const QJsonObject &json, const Signal &signal, Moment ze
 
 Result<void> readTracks(const QJsonArray &tracks, Incident &incident)
 {
-    for (const QJsonValue &value : tracks) {
+    for (const QJsonValue value : tracks) {
         const QJsonObject json = value.toObject();
         const auto signal = fromKey(json[s("signal")].toString());
         if (!signal)
@@ -92,7 +92,7 @@ Result<void> readTracks(const QJsonArray &tracks, Incident &incident)
 
 Result<void> readNotes(const QJsonArray &notes, Incident &incident)
 {
-    for (const QJsonValue &value : notes) {
+    for (const QJsonValue value : notes) {
         const auto at = momentFrom(value.toObject(), "at");
         if (!at)
             return tl::unexpected(at.error());

@@ -7,7 +7,6 @@
 #include <deque>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <span>
 
 namespace trend {
@@ -45,7 +44,16 @@ class Series
 {
 public:
     using Samples = std::deque<Sample>;
-    using View = std::ranges::subrange<Samples::const_iterator>;
+    /// Samples one after another; good until the series changes.
+    struct View {
+        Samples::const_iterator first;
+        Samples::const_iterator last;
+
+        [[nodiscard]] auto begin() const { return first; }
+        [[nodiscard]] auto end() const { return last; }
+        [[nodiscard]] std::size_t size() const { return std::size_t(last - first); }
+        [[nodiscard]] bool isEmpty() const { return first == last; }
+    };
 
     /// `capacity` is at least 2. The oldest samples make room for new ones.
     explicit Series(std::size_t capacity) : m_capacity {capacity} { }

@@ -69,7 +69,7 @@ private:
 
     QString take(qsizetype size)
     {
-        const QString taken = m_rest.first(size).toString();
+        QString taken = m_rest.first(size).toString();
         m_rest = m_rest.sliced(size);
         return taken;
     }

@@ -15,8 +15,8 @@ namespace virtualcontroller {
 
 namespace {
 
-constexpr quint32 on = 1;
-constexpr quint32 off = 2;
+constexpr quint32 onWord = 1;
+constexpr quint32 offWord = 2;
 
 quint32 wordOf(const Request &request) { return protocol::decode<ControlWord>(request.payload)->value; }
 
@@ -35,7 +35,7 @@ Answer reset(const Request &request, Memory &memory)
 
 Answer switchPower(const Request &request, Memory &memory)
 {
-    const bool isOn = wordOf(request) == on;
+    const bool isOn = wordOf(request) == onWord;
     if (request.instance == 1)
         setHold(memory, Status::HeldByCommand, isOn);
     else if (request.instance == 2)
@@ -97,11 +97,11 @@ Answer select(const Request &request, Memory &memory)
 std::span<const Handler> controlHandlers()
 {
     static constexpr std::array rows {
-        Handler {0x82, checkWord<on, on>, reset},
-        Handler {0x83, checkWord<on, off>, switchPower},
+        Handler {0x82, checkWord<onWord, onWord>, reset},
+        Handler {0x83, checkWord<onWord, offWord>, switchPower},
         Handler {0x84, checkWord<quint32(CycleMode::Step), quint32(CycleMode::Continuous)>, selectCycle},
         Handler {0x85, checkText, showText},
-        Handler {0x86, checkWord<on, on>, start},
+        Handler {0x86, checkWord<onWord, onWord>, start},
         Handler {0x87, checkSelection, select},
     };
     return rows;

@@ -86,7 +86,7 @@ Answer executePlural(const Request &request, Memory &memory)
         const int number = kind.number(quint16(item.instance), memory);
         if (!isRead(request)) {
             kind.store(memory, number, item.bytes, 0);
-        } else if (const Answer loaded = kind.load(memory, number, 0)) {
+        } else if (Answer loaded = kind.load(memory, number, 0)) {
             payload += *loaded;
         } else {
             return loaded;

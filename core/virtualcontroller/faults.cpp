@@ -68,7 +68,7 @@ void Faults::apply(const FaultRule &rule, Direction direction, Plan &plan)
     case FaultKind::Delay: deliveries.front().delay += orElse(rule.time, 100ms); break;
     case FaultKind::Duplicate: deliveries.push_back({deliveries.front().delay + rule.time, bytes}); break;
     case FaultKind::Reorder:
-        m_heldBack[int(direction)].swap(deliveries);
+        m_heldBack[std::size_t(direction)].swap(deliveries);
         deliveries.clear();
         break;
     case FaultKind::Corrupt: bytes = damaged(bytes, 8); break;
@@ -89,7 +89,7 @@ void Faults::apply(const FaultRule &rule, Direction direction, Plan &plan)
 Faults::Plan Faults::plan(Direction direction, quint16 command, QByteArrayView packet)
 {
     Plan plan {{{0ms, packet.toByteArray()}}, {}, {}, false};
-    const auto heldBack = std::exchange(m_heldBack[int(direction)], {});
+    const auto heldBack = std::exchange(m_heldBack[std::size_t(direction)], {});
     for (std::size_t index = 0; index < m_rules.size(); ++index) {
         if (strikes(index, direction, command))
             apply(m_rules[index], direction, plan);

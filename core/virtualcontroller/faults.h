@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QByteArrayView>
 #include <QStringView>
+#include <array>
 #include <optional>
 #include <random>
 #include <vector>
@@ -84,7 +85,7 @@ private:
     std::vector<FaultRule> m_rules;
     std::vector<int> m_matched; ///< By rule: how many packets it could have struck.
     std::vector<int> m_struck;
-    std::vector<Delivery> m_heldBack[2]; ///< By direction.
+    std::array<std::vector<Delivery>, 2> m_heldBack; ///< By direction.
     quint32 m_seed;
     std::mt19937 m_random;
 };

@@ -174,8 +174,8 @@ FileAnswer goOn(QByteArrayView datagram, const ClientPacket &packet, const QByte
     if (transfer->isOver)
         return refusalReply(packet, WrongAck);
     const quint32 before = transfer->block;
-    const FileAnswer answer = packet.service == Service::LoadFile ? takeBlock(*transfer, packet, memory)
-                                                                  : takeAcknowledgement(*transfer, packet, memory);
+    FileAnswer answer = packet.service == Service::LoadFile ? takeBlock(*transfer, packet, memory)
+                                                            : takeAcknowledgement(*transfer, packet, memory);
     if (transfer->block != before || transfer->isOver) {
         transfer->lastPacket = datagram.toByteArray();
         transfer->lastReply = answer.value_or(QByteArray {});

@@ -101,5 +101,4 @@ public:
         if (!found.isEmpty())
             QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(found.first()).center());
     }
-
 };

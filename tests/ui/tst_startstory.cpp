@@ -296,8 +296,7 @@ void TestStartStory::holdFromEveryDialog_data()
     });
     row("connectionDialog",
         [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Connect)->trigger(); });
-    row("helpDialog",
-        [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Help)->trigger(); });
+    row("helpDialog", [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Help)->trigger(); });
     row("readinessSheet",
         [](JobsHarness &harness) { harness.window.actions().action(ui::ActionId::Readiness)->trigger(); });
     row("diagnosisDialog",

@@ -138,7 +138,7 @@ void ConnectionDialog::onEdited()
 
 QString ConnectionDialog::complaint(const Profile &profile) const
 {
-    const QString trouble = settings::complaint(profile);
+    QString trouble = settings::complaint(profile);
     if (!trouble.isEmpty())
         return trouble;
     if (!motion::limits(profile.motion))

@@ -20,7 +20,7 @@ using values::Result;
 namespace {
 
 constexpr int firstInstance = 1; ///< Both numberings have the instances 1 to 98.
-constexpr int count = 98;
+constexpr int instanceCount = 98;
 
 QSpinBox *spin(const QString &name, const QString &title, int least, int most)
 {
@@ -94,7 +94,7 @@ void NumberingDialog::say(const QString &sentence, bool isTrouble)
 /// Each time anew: they may have changed since.
 void NumberingDialog::read(void (NumberingDialog::*then)())
 {
-    const auto request = protocol::ReadItems<ByteVariable>::create(firstInstance, count);
+    const auto request = protocol::ReadItems<ByteVariable>::create(firstInstance, instanceCount);
     Q_ASSERT(request);
     m_orders.read(*request, this, [this, then](const Result<QList<ByteVariable>> &instances) {
         if (!instances)

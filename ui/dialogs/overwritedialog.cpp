@@ -3,8 +3,8 @@
 #include "ui/dialogs/overwritedialog.h"
 
 #include "ui/widgets/fitwindow.h"
-#include "ui/widgets/tickbox.h"
 #include "ui/widgets/text.h"
+#include "ui/widgets/tickbox.h"
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QPushButton>

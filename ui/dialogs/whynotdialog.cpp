@@ -3,8 +3,8 @@
 #include "ui/dialogs/whynotdialog.h"
 
 #include "ui/conditionwords.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/conditionlist.h"
+#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
 #include <QPushButton>

@@ -288,7 +288,7 @@ void IoPage::showSentence()
 void IoPage::loadWatch()
 {
     const QJsonObject json = m_context.store.notes(m_context.profile.name).read(watchSubject);
-    for (const QJsonValue &text : json[signalsKey].toArray()) {
+    for (const QJsonValue text : json[signalsKey].toArray()) {
         if (const auto signal = names::signalFromText(text.toString(), m_dialect))
             m_watch.add(*signal);
     }

@@ -6,8 +6,8 @@
 #include "ui/pages/cartesiancard.h"
 #include "ui/pages/controlgroups.h"
 #include "ui/pages/toolpathcard.h"
-#include "ui/widgets/flow.h"
 #include "ui/widgets/board.h"
+#include "ui/widgets/flow.h"
 #include <QApplication>
 #include <QClipboard>
 #include <QHBoxLayout>

@@ -13,7 +13,7 @@ namespace widgets {
 class Flow;
 class GoToEdit;
 class OrderButton;
-}
+} // namespace widgets
 
 namespace dialogs {
 class PositionDialog;

@@ -96,9 +96,9 @@ void VariablesPage::loadWatchPages()
 {
     const QJsonArray pages =
         m_store.notes(m_orders.controller().profile().name).read(watchPagesSubject)[pagesKey].toArray();
-    for (const QJsonValue &page : pages) {
+    for (const QJsonValue page : pages) {
         QList<Reference> variables;
-        for (const QJsonValue &text : page[variablesKey].toArray()) {
+        for (const QJsonValue text : page[variablesKey].toArray()) {
             if (const auto variable = variables::referenceFromText(text.toString(), m_desk.dialect))
                 variables << *variable;
         }

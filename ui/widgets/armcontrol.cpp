@@ -5,8 +5,8 @@
 #include "ui/conditionwords.h"
 #include "ui/dialogs/whynotdialog.h"
 #include "ui/widgets/flow.h"
-#include "ui/widgets/tickbox.h"
 #include "ui/widgets/text.h"
+#include "ui/widgets/tickbox.h"
 #include <QCheckBox>
 #include <QPushButton>
 #include <QVBoxLayout>

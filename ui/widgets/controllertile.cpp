@@ -75,12 +75,12 @@ void ControllerTile::paintEvent(QPaintEvent *)
     write(upper, nameFont(), ui::Role::Text1, m_name);
     write(lower, ui::font(ui::Type::Label), ui::Role::Text2, m_state.text);
     if (m_backup.lamp != Lamp::None) {
-        paintLamp(painter, QRectF(lowest.left(), lowest.center().y() - side / 2, side, side), m_backup.lamp, scheme);
+        paintLamp(painter, QRect(lowest.left(), lowest.center().y() - side / 2, side, side), m_backup.lamp, scheme);
         lowest.setLeft(lowest.left() + side + 5);
     }
     write(lowest, ui::font(ui::Type::Label), m_backup.lamp == Lamp::None ? ui::Role::Text2 : roleOf(m_backup.lamp),
         m_backup.text);
-    paintLamp(painter, QRectF(inner.right() - side, upper.center().y() - side / 2, side, side), m_state.lamp, scheme);
+    paintLamp(painter, QRect(inner.right() - side, upper.center().y() - side / 2, side, side), m_state.lamp, scheme);
 }
 
 } // namespace widgets

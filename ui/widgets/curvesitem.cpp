@@ -5,6 +5,7 @@
 #include "ui/theme.h"
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 namespace widgets {
 
@@ -97,7 +98,10 @@ void CurvesItem::paintLetters(QPainter &painter, const Curve &curve, int index) 
     painter.setBrush(m_ground);
     painter.setPen(QPen(curve.pen.color(), 1));
     auto next = curve.samples.begin();
-    for (qreal x = m_area.left() + 14 + index * (letterSide + 5); x < m_area.right(); x += letterDistance) {
+    const qreal first = m_area.left() + 14 + index * (letterSide + 5);
+    const int count = int(std::ceil((m_area.right() - first) / letterDistance));
+    for (int letter = 0; letter < count; ++letter) {
+        const qreal x = first + letter * letterDistance;
         next = std::find_if(next, curve.samples.end(),
             [&](const trend::Sample &sample) { return !sample.isGap() && placeOf(curve, sample).x() >= x; });
         if (next == curve.samples.end())

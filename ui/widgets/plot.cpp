@@ -27,7 +27,7 @@ struct Line {
 };
 
 /// A kind of line for each place; no two are the same without colour, since the letters differ too.
-constexpr Line lines[] {
+constexpr Line trackLines[] {
     {ui::Role::Accent, Qt::SolidLine},
     {ui::Role::Text1, Qt::SolidLine},
     {ui::Role::Accent, Qt::DashLine},
@@ -37,7 +37,7 @@ constexpr Line lines[] {
     {ui::Role::Accent, Qt::DashDotLine},
     {ui::Role::Text1, Qt::DashDotLine},
 };
-static_assert(std::size(lines) == Plot::mostTracks);
+static_assert(std::size(trackLines) == Plot::mostTracks);
 
 double seconds(trend::Moment at, trend::Moment zero) { return double((at - zero).count()) / 1000; }
 
@@ -71,7 +71,7 @@ Plot::~Plot() = default;
 
 QPen Plot::pen(int index, const QWidget *widget)
 {
-    const Line &line = lines[index % mostTracks];
+    const Line &line = trackLines[index % mostTracks];
     QPen pen(ui::color(line.role, widget), 1, line.style);
     pen.setCosmetic(true);
     return pen;

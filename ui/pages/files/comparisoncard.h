@@ -12,7 +12,7 @@ class QTreeWidget;
 namespace widgets {
 class DiffView;
 class Flow;
-}
+} // namespace widgets
 
 namespace pages {
 

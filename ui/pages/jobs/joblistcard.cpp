@@ -24,7 +24,7 @@ const QString favouritesKey = QStringLiteral("names");
 QSet<QByteArray> readFavourites(const settings::Notes &notes)
 {
     QSet<QByteArray> result;
-    for (const QJsonValue &name : notes.read(favouritesSubject).value(favouritesKey).toArray())
+    for (const QJsonValue name : notes.read(favouritesSubject).value(favouritesKey).toArray())
         result << QByteArray::fromHex(name.toString().toLatin1());
     return result;
 }

@@ -4,9 +4,9 @@
 
 #include "protocol/codes.h"
 #include "ui/widgets/flow.h"
-#include "ui/widgets/tickbox.h"
 #include "ui/widgets/jobview.h"
 #include "ui/widgets/messagebar.h"
+#include "ui/widgets/tickbox.h"
 #include "ui/words.h"
 #include <QCheckBox>
 #include <QHBoxLayout>

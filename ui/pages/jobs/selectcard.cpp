@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/jobs/selectcard.h"
 
-#include "ui/words.h"
 #include "ui/widgets/flow.h"
+#include "ui/words.h"
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -27,7 +27,7 @@ struct StepRow {
 };
 constexpr StepRow steps[] {{0.1, 0.1, 10}, {1, 1, 100}, {5, 5, 500}, {10, 5, 1000}};
 constexpr motion::Speeds speeds[] {{2, 1, 0.5}, {10, 3, 1}, {50, 10, 2}, {250, 30, 5}};
-constexpr int usual = 1;
+constexpr int usualChoice = 1;
 
 StepRow lowered(const StepRow &row, const Limits &limits)
 {
@@ -119,8 +119,8 @@ void JogCard::showChoices()
         speedWords << (isAxes ? tr("%1 %").arg(brief(speed.joint))
                               : tr("%1 mm/s · %2 °/s").arg(brief(speed.tool), brief(speed.rotation)));
     }
-    m_step->setChoices(stepWords, m_step->chosen() < 0 ? usual : m_step->chosen());
-    m_speed->setChoices(speedWords, m_speed->chosen() < 0 ? usual : m_speed->chosen());
+    m_step->setChoices(stepWords, m_step->chosen() < 0 ? usualChoice : m_step->chosen());
+    m_speed->setChoices(speedWords, m_speed->chosen() < 0 ? usualChoice : m_speed->chosen());
     showAxes();
     choose();
 }

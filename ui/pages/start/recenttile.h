@@ -8,8 +8,8 @@
 
 namespace pages::start {
 
-/// "connected today 14:03", "connected yesterday 14:03", else with the date by the locale; "no connection noted yet" for an
-/// invalid time.
+/// "connected today 14:03", "connected yesterday 14:03", else with the date by the locale; "no connection noted yet"
+/// for an invalid time.
 [[nodiscard]] QString connectedText(const QDateTime &at, const QDateTime &now);
 
 /// A controller to be connected to with one click: name and address, when it was connected last, the age of its backup.
