@@ -15,7 +15,7 @@ namespace widgets {
 namespace {
 
 constexpr int cellMargin = 18;
-constexpr int leastWidth = 90;
+constexpr int leastStretch = 90;
 
 QString line(const QAbstractItemModel *model, const std::function<QVariant(int)> &cell)
 {
@@ -43,7 +43,7 @@ void fitColumns(QTableView *table, const QStringList &samples)
     QHeaderView *header = table->horizontalHeader();
     QFont bold = table->font();
     bold.setWeight(QFont::DemiBold);
-    int stretched = std::min(leastWidth, header->defaultSectionSize()) / 2;
+    int stretched = std::min(leastStretch, header->defaultSectionSize()) / 2;
     for (int column = 0; column < samples.size(); ++column) {
         const QString head = table->model()->headerData(column, Qt::Horizontal).toString();
         const int headNeed = QFontMetrics(header->font()).horizontalAdvance(head) + cellMargin;
