@@ -44,16 +44,24 @@
             <translation>Diagnose kopieren</translation>
         </message>
         <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Tastenkürzel</translation>
-        </message>
-        <message>
             <source>About Pendesk</source>
             <translation>Über Pendesk</translation>
         </message>
         <message>
             <source>Quit</source>
             <translation>Beenden</translation>
+        </message>
+        <message>
+            <source>Language and look…</source>
+            <translation>Sprache und Aussehen…</translation>
+        </message>
+        <message>
+            <source>Readiness…</source>
+            <translation>Bereitschaft…</translation>
+        </message>
+        <message>
+            <source>Help and shortcuts</source>
+            <translation>Hilfe und Tastenkürzel</translation>
         </message>
     </context>
     <context>
@@ -644,10 +652,6 @@
             <translation>die Parameter RS029 und RS214 auf 1 setzen: %1</translation>
         </message>
         <message>
-            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
-            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
-        </message>
-        <message>
             <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
             <translation>SETUP, FUNCTION COND. oder FUNCTION ENABLE</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>PARAMETER, RS (management mode)</source>
             <translation>PARAMETER, RS (Managementmodus)</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 bei einer DX100)</translation>
         </message>
     </context>
     <context>
@@ -829,6 +837,302 @@
             <source>Journal</source>
             <translation>Journal</translation>
         </message>
+        <message>
+            <source>The state of the robot at a glance: mode, cycle, servo, run, the three causes of a hold, alarm, error and speed limit, the executing job, the position of R1, and how well the link works.</source>
+            <translation>Der Zustand des Roboters auf einen Blick: Betriebsart, Zyklus, Servo, Lauf, die drei Ursachen für HOLD, Alarm, Fehler und Geschwindigkeitsgrenze, der Job in Ausführung, die Position von R1 und wie gut die Verbindung arbeitet.</translation>
+        </message>
+        <message>
+            <source>“What can I do now?” lists what may be ordered. ✓ may be tried, ✗ may not, with the first reason beside it.</source>
+            <translation>„Was ist jetzt möglich?“ führt auf, was befohlen werden darf. ✓ darf versucht werden, ✗ nicht; der erste Grund steht daneben.</translation>
+        </message>
+        <message>
+            <source>Bits that contradict each other, such as TEACH and PLAY, are shown side by side as they were received, under ▲.</source>
+            <translation>Bits, die einander widersprechen, zum Beispiel TEACH und PLAY, werden nebeneinander so gezeigt, wie sie empfangen wurden, unter ▲.</translation>
+        </message>
+        <message>
+            <source>Copy beside the system information takes model and software to the clipboard. The right mouse button on a number adds it to the trend.</source>
+            <translation>„Kopieren“ neben den Systeminformationen legt Modell und Software in die Zwischenablage. Die rechte Maustaste auf einer Zahl fügt diese zum Trend hinzu.</translation>
+        </message>
+        <message>
+            <source>Up to four active alarms, the newest first, and the past alarms that were read from the controller.</source>
+            <translation>Bis zu vier anstehende Alarme, der neueste zuerst, und die vergangenen Alarme, die aus der Steuerung gelesen wurden.</translation>
+        </message>
+        <message>
+            <source>Acknowledge is noted on this computer only: the robot does not hear of it.</source>
+            <translation>„Quittieren“ wird nur auf diesem Rechner vermerkt: Der Roboter erfährt davon nichts.</translation>
+        </message>
+        <message>
+            <source>Reset alarm and Cancel error are orders: they need REMOTE and the level Operate, and say before what they clear. After a reset that was accepted an alarm may stay: then its cause is still there.</source>
+            <translation>„Alarm zurücksetzen“ und „Fehler löschen“ sind Befehle: Sie brauchen REMOTE und die Stufe Bedienen und sagen vorher, was sie zurücksetzen oder löschen. Nach einem angenommenen Zurücksetzen kann ein Alarm bestehen bleiben: Dann ist seine Ursache noch da.</translation>
+        </message>
+        <message>
+            <source>Read now fetches the history and keeps it in the journal, even after the controller has dropped it. Most frequent counts codes.</source>
+            <translation>„Jetzt lesen“ holt den Verlauf und bewahrt ihn im Journal auf, auch wenn die Steuerung ihn schon verworfen hat. „Häufigste“ zählt Codes.</translation>
+        </message>
+        <message>
+            <source>Notes keep what caused a code and what was done, on this computer.</source>
+            <translation>„Notizen“ bewahren auf diesem Rechner auf, was einen Code verursacht hat und was getan wurde.</translation>
+        </message>
+        <message>
+            <source>All signals of one area, a group of eight in a row. A filled square is 1, a hollow one 0; a frame marks what changed in the last two seconds.</source>
+            <translation>Alle Signale eines Bereichs, je Zeile eine Gruppe von acht. Ein gefülltes Quadrat ist 1, ein leeres 0; ein Rahmen markiert, was sich in den letzten zwei Sekunden geändert hat.</translation>
+        </message>
+        <message>
+            <source>Only network inputs can be written over HSES, by an engineer. A write reads the group, changes one bit, shows old and new, and reads back: eight bits travel together.</source>
+            <translation>Über HSES lassen sich nur Netzwerkeingänge schreiben, auf der Stufe Einrichten. Ein Schreibvorgang liest die Gruppe, ändert ein Bit, zeigt alt und neu und liest zurück: Acht Bits werden zusammen übertragen.</translation>
+        </message>
+        <message>
+            <source>Names come from the controller's IONAME.DAT. The right mouse button names a signal here, or puts it on the tab Watch.</source>
+            <translation>Die Namen stammen aus IONAME.DAT der Steuerung. Mit der rechten Maustaste wird ein Signal hier benannt oder auf die Registerkarte „Beobachten“ gesetzt.</translation>
+        </message>
+        <message>
+            <source>Watch counts edges and draws the last minute. It reads four times a second: shorter pulses are not seen.</source>
+            <translation>„Beobachten“ zählt Flanken und zeichnet die letzte Minute. Gelesen wird viermal pro Sekunde: Kürzere Impulse bleiben unbemerkt.</translation>
+        </message>
+        <message>
+            <source>Go to takes #27010 as well as IN#(1).</source>
+            <translation>„Gehe zu“ nimmt #27010 ebenso an wie IN#(1).</translation>
+        </message>
+        <message>
+            <source>The registers M000 to M999, as decimal, signed, hexadecimal or binary numbers. Only the rows in view are read.</source>
+            <translation>Die Register M000 bis M999 als Dezimalzahlen, Zahlen mit Vorzeichen, Hexadezimal- oder Binärzahlen. Nur die sichtbaren Zeilen werden gelesen.</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written by an engineer; the others belong to the ladder.</source>
+            <translation>M000 bis M559 lassen sich auf der Stufe Einrichten schreiben; die übrigen gehören dem Kontaktplan (Ladder).</translation>
+        </message>
+        <message>
+            <source>Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back.</source>
+            <translation>Die Eingabetaste merkt im Editor einen Wert vor: Er wird bernsteinfarben, und nichts wird gesendet. „Anwenden“ zeigt alt und neu aller vorgemerkten Werte, schreibt jeden einmal und liest ihn zurück.</translation>
+        </message>
+        <message>
+            <source>A value that reads back differently is red and stays. Undo last stages the values from before the last Apply.</source>
+            <translation>Ein Wert, der abweichend zurückgelesen wird, ist rot und bleibt stehen. „Letztes rückgängig“ merkt die Werte von vor dem letzten „Anwenden“ vor.</translation>
+        </message>
+        <message>
+            <source>The variables B I D R S P BP and EX with their names, their value before, and when they changed. Only the rows in view are read.</source>
+            <translation>Die Variablen B I D R S P BP und EX mit ihren Namen, ihrem vorherigen Wert und dem Zeitpunkt ihrer Änderung. Nur die sichtbaren Zeilen werden gelesen.</translation>
+        </message>
+        <message>
+            <source>Nothing is written before the numbering was compared with the pendant: Verify… does that, and only reads.</source>
+            <translation>Es wird nichts geschrieben, bevor die Nummerierung mit dem Programmierhandgerät verglichen wurde: „Prüfen…“ tut das und liest nur.</translation>
+        </message>
+        <message>
+            <source>Import and Export take CSV files; cells of a spreadsheet can be pasted. Both show first what would differ.</source>
+            <translation>„Importieren…“ und „Exportieren…“ arbeiten mit CSV-Dateien; Zellen einer Tabellenkalkulation lassen sich einfügen. Beim Importieren und Einfügen wird zuerst gezeigt, was sich ändern würde.</translation>
+        </message>
+        <message>
+            <source>A watch page is a list of your own: the right mouse button puts rows of any tab on it.</source>
+            <translation>Eine Beobachtungsseite ist eine eigene Liste: Die rechte Maustaste setzt Zeilen jeder Registerkarte darauf.</translation>
+        </message>
+        <message>
+            <source>The tool point in the base frame, with form and tool; the axes in pulses with following error, torque and temperature where the model tells them; and the path of the tool point.</source>
+            <translation>Der Werkzeugpunkt im Basiskoordinatensystem mit Stellung und Werkzeug; die Achsen in Impulsen mit Schleppfehler, Drehmoment und Temperatur, soweit das Modell sie nennt; und die Bahn des Werkzeugpunkts.</translation>
+        </message>
+        <message>
+            <source>Degrees of axes stand here only where the profile gives pulses per degree: the controller does not tell them.</source>
+            <translation>Grad der Achsen stehen hier nur, wenn das Profil die Impulse pro Grad angibt: Die Steuerung nennt sie nicht.</translation>
+        </message>
+        <message>
+            <source>Torque is shown as the controller sends it: its unit is stated nowhere.</source>
+            <translation>Das Drehmoment wird so gezeigt, wie die Steuerung es sendet: Seine Einheit ist nirgends angegeben.</translation>
+        </message>
+        <message>
+            <source>Min and max count from the last reset, while this page is read. Copy as text takes the table in view.</source>
+            <translation>Min. und Max. gelten seit dem letzten Zurücksetzen, soweit diese Seite gelesen wurde. „Als Text kopieren“ übernimmt die sichtbare Tabelle.</translation>
+        </message>
+        <message>
+            <source>Control groups that the controller refuses have no tab; the line beside the tabs counts them.</source>
+            <translation>Achsgruppen, die die Steuerung ablehnt, haben keine Registerkarte; die Zeile neben den Registerkarten nennt ihre Anzahl.</translation>
+        </message>
+        <message>
+            <source>Moves the robot by orders, in automatic operation. The pendant's enabling switch does not protect anyone here, and nobody may be inside the fence. It is off in TEACH, always.</source>
+            <translation>Bewegt den Roboter durch Befehle, im Automatikbetrieb. Der Zustimmungsschalter des Programmierhandgeräts schützt hier niemanden, und niemand darf sich innerhalb des Schutzzauns aufhalten. In TEACH ist dies immer gesperrt.</translation>
+        </message>
+        <message>
+            <source>Arming needs the level Operate, REMOTE and PLAY; moving needs Engineer too. Losing the focus, a minute without a key or the mouse, an alarm or a lost link disarms.</source>
+            <translation>Scharfschalten erfordert die Stufe Bedienen, REMOTE und PLAY; Bewegen erfordert außerdem die Stufe Einrichten. Der Verlust des Fokus, eine Minute ohne Tastatur oder Maus, ein Alarm oder eine verlorene Verbindung schaltet unscharf.</translation>
+        </message>
+        <message>
+            <source>Jog sends one bounded step after another while a button is held. Letting go sends no more steps and holds the one that runs; after a lost link the robot still ends its step.</source>
+            <translation>„Tippbetrieb“ sendet einen begrenzten Schritt nach dem anderen, solange eine Schaltfläche gedrückt gehalten wird. Nach dem Loslassen wird kein weiterer Schritt gesendet und der laufende mit HOLD angehalten; nach Verlust der Verbindung führt der Roboter seinen Schritt noch zu Ende.</translation>
+        </message>
+        <message>
+            <source>Move shows present place, target and change first. Rehearse… opens the sheet on which the move is confirmed.</source>
+            <translation>„Bewegen“ zeigt zuerst aktuelle Position, Ziel und Änderung. „Vorab prüfen…“ öffnet das Fenster, in dem die Bewegung bestätigt wird.</translation>
+        </message>
+        <message>
+            <source>What was sent without an answer is called unknown, never failed: look at the robot.</source>
+            <translation>Was gesendet wurde und ohne Antwort blieb, heißt unbekannt, nie fehlgeschlagen: Sehen Sie nach dem Roboter.</translation>
+        </message>
+        <message>
+            <source>Draws any number over time. Drag it here from a page, choose “Add to trend” in its menu, or use Add signal….</source>
+            <translation>Zeichnet jede Zahl über der Zeit auf. Ziehen Sie sie von einer Seite hierher, wählen Sie „Zum Trend hinzufügen“ in ihrem Menü, oder benutzen Sie „Signal hinzufügen…“.</translation>
+        </message>
+        <message>
+            <source>Pause freezes the view; recording goes on. Gaps in a curve are times in which nothing was read.</source>
+            <translation>„Pause“ hält die Ansicht an; die Aufzeichnung läuft weiter. Lücken in einer Kurve sind Zeiten, in denen nichts gelesen wurde.</translation>
+        </message>
+        <message>
+            <source>The time box chooses how long a time is in view; under the cursor stand the values of that moment.</source>
+            <translation>Das Zeitfeld legt fest, welche Zeitspanne im Bild ist; beim Cursor stehen die Werte dieses Zeitpunkts.</translation>
+        </message>
+        <message>
+            <source>An incident keeps 60 s before and 20 s after an alarm came up. It can be opened here later.</source>
+            <translation>Ein Vorfall bewahrt 60 s vor und 20 s nach dem Auftreten eines Alarms auf. Er lässt sich hier später öffnen.</translation>
+        </message>
+        <message>
+            <source>Export CSV… writes what is in view, with times in UTC.</source>
+            <translation>„CSV exportieren…“ schreibt, was im Bild ist, mit Zeiten in UTC.</translation>
+        </message>
+        <message>
+            <source>The jobs on the controller and the text of the chosen one, with the line that is executed. A banner says when the text may be old.</source>
+            <translation>Die Jobs auf der Steuerung und der Text des gewählten, mit der Zeile, die ausgeführt wird. Ein Hinweis sagt, wenn der Text veraltet sein kann.</translation>
+        </message>
+        <message>
+            <source>“Selected” and “Executing” are two things: what a start would begin, and what runs.</source>
+            <translation>„Gewählt“ und „In Ausführung“ sind zweierlei: womit ein Start beginnen würde und was läuft.</translation>
+        </message>
+        <message>
+            <source>Start needs REMOTE, PLAY, servo on, the level Operate and an armed controller. Its sheet names controller, job and line, and the button works after one second. Nothing is ever started twice.</source>
+            <translation>Ein Start erfordert REMOTE, PLAY, Servo ein, die Stufe Bedienen und eine scharfe Steuerung. Sein Fenster nennt Steuerung, Job und Zeile, und die Schaltfläche ist erst nach einer Sekunde wirksam. Nichts wird je zweimal gestartet.</translation>
+        </message>
+        <message>
+            <source>Buttons show what was read. “Pending” stands until the status agrees.</source>
+            <translation>Schaltflächen zeigen, was gelesen wurde. „Ausstehend“ steht da, bis der Status übereinstimmt.</translation>
+        </message>
+        <message>
+            <source>HOLD from here can be released here. A hold by the pendant is released there.</source>
+            <translation>HOLD von hier lässt sich hier aufheben. HOLD vom Programmierhandgerät wird dort aufgehoben.</translation>
+        </message>
+        <message>
+            <source>“Why not?” beside a button lists all its conditions.</source>
+            <translation>„Warum nicht?“ neben einer Schaltfläche führt alle ihre Bedingungen auf.</translation>
+        </message>
+        <message>
+            <source>Files of this computer on the left, of the controller on the right, by type.</source>
+            <translation>Dateien dieses Rechners links, der Steuerung rechts, nach Typ.</translation>
+        </message>
+        <message>
+            <source>Fetch only reads. Send and Delete are for engineers and need REMOTE on.</source>
+            <translation>„Holen“ liest nur. „Senden“ und „Löschen“ erfordern die Stufe Einrichten und eingeschaltetes REMOTE.</translation>
+        </message>
+        <message>
+            <source>A file that exists already is asked about: compare it, replace it, or leave it, which is the default. A file cut off half way never replaces a good one.</source>
+            <translation>Zu einer Datei, die schon vorhanden ist, wird gefragt: vergleichen, ersetzen oder unberührt lassen; Letzteres ist die Vorgabe. Eine unvollständig übertragene Datei ersetzt nie eine gute.</translation>
+        </message>
+        <message>
+            <source>Before a job is sent its text is checked, and afterwards it is read back and compared.</source>
+            <translation>Bevor ein Job gesendet wird, wird sein Text geprüft, und danach wird er zurückgelesen und verglichen.</translation>
+        </message>
+        <message>
+            <source>Transfers lists every file with its bytes and state. Retry failed sends none that was finished.</source>
+            <translation>„Übertragungen“ führt jede Datei mit ihren Bytes und ihrem Zustand auf. „Fehlgeschlagene wiederholen“ sendet keine, die fertig war.</translation>
+        </message>
+        <message>
+            <source>Backups of this controller, the newest first, with the files that are missing in each. ▲ marks one that is not whole.</source>
+            <translation>Sicherungen dieser Steuerung, die neueste zuerst, mit den Dateien, die in jeder fehlen. ▲ markiert eine, die nicht vollständig ist.</translation>
+        </message>
+        <message>
+            <source>Back up now reads every file into a new folder with a checksum of each. A file that fails does not stop the rest.</source>
+            <translation>„Jetzt sichern“ liest jede Datei in einen neuen Ordner, mit einer Prüfsumme für jede. Eine Datei, die fehlschlägt, hält die übrigen nicht auf.</translation>
+        </message>
+        <message>
+            <source>Verify reads every byte again. Compare finds what differs from another backup or from the controller now; dates and counters are left out, and the page says which.</source>
+            <translation>„Prüfen“ liest jedes Byte noch einmal. „Vergleichen“ findet, was von einer anderen Sicherung oder von der Steuerung jetzt abweicht; Datumsangaben und Zähler werden ausgelassen, und die Seite sagt, welche.</translation>
+        </message>
+        <message>
+            <source>Restore… plans first, makes a fresh backup, sends what changed, and reads it back. It needs an engineer and REMOTE, and no job may run.</source>
+            <translation>„Zurückspielen…“ plant zuerst, legt eine frische Sicherung an, sendet, was sich geändert hat, und liest es zurück. Es erfordert die Stufe Einrichten und REMOTE, und kein Job darf laufen.</translation>
+        </message>
+        <message>
+            <source>Old backups go by number and age as set below the list, never the last good one or a pinned one.</source>
+            <translation>Alte Sicherungen werden nach Anzahl und Alter gelöscht, wie unter der Liste eingestellt, nie die letzte gute oder eine angeheftete.</translation>
+        </message>
+        <message>
+            <source>Everything that was tried from here: writes, starts, moves, servo, files, and what was refused or withheld, with user, old and new value, and the controller's answer.</source>
+            <translation>Alles, was von hier versucht wurde: Schreibvorgänge, Starts, Bewegungen, Servo, Dateien und was abgelehnt oder nicht gesendet wurde, mit Benutzer, altem und neuem Wert und der Antwort der Steuerung.</translation>
+        </message>
+        <message>
+            <source>“Unknown” means that no answer came: it may have happened.</source>
+            <translation>„Unbekannt“ bedeutet, dass keine Antwort kam: Es kann geschehen sein.</translation>
+        </message>
+        <message>
+            <source>Filter by controller, kind, time and outcome, or search in all texts. Older records come when scrolling down.</source>
+            <translation>Filtern Sie nach Steuerung, Art, Zeit und Ausgang, oder suchen Sie in allen Texten. Ältere Einträge erscheinen beim Blättern nach unten.</translation>
+        </message>
+        <message>
+            <source>The journal is kept on this computer for all controllers and can be read without a connection. Export writes what the filter shows.</source>
+            <translation>Das Journal wird auf diesem Rechner für alle Steuerungen geführt und lässt sich ohne Verbindung lesen. „Exportieren…“ schreibt, was der Filter zeigt.</translation>
+        </message>
+        <message>
+            <source>Go to a signal</source>
+            <translation>Zu einem Signal gehen</translation>
+        </message>
+        <message>
+            <source>Write the signal (network inputs)</source>
+            <translation>Das Signal schreiben (Netzwerkeingänge)</translation>
+        </message>
+        <message>
+            <source>On the tab Watch: watch the signal no longer</source>
+            <translation>Auf der Registerkarte „Beobachten“: das Signal nicht mehr beobachten</translation>
+        </message>
+        <message>
+            <source>Go to a register</source>
+            <translation>Zu einem Register gehen</translation>
+        </message>
+        <message>
+            <source>Open the editor; in it: stage the value</source>
+            <translation>Den Editor öffnen; darin: den Wert vormerken</translation>
+        </message>
+        <message>
+            <source>Discard the staged value</source>
+            <translation>Den vorgemerkten Wert verwerfen</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows</source>
+            <translation>Die gewählten Zeilen kopieren</translation>
+        </message>
+        <message>
+            <source>Paste cells: they are staged after a preview</source>
+            <translation>Zellen einfügen: Sie werden nach einer Vorschau vorgemerkt</translation>
+        </message>
+        <message>
+            <source>Go to a variable</source>
+            <translation>Zu einer Variablen gehen</translation>
+        </message>
+        <message>
+            <source>Held on a jog button: steps, if keyboard jog was switched on</source>
+            <translation>Auf einer Schaltfläche des Tippbetriebs gedrückt gehalten: Schritte, wenn der Tippbetrieb mit der Tastatur eingeschaltet wurde</translation>
+        </message>
+        <message>
+            <source>In the sheet of the move, after typing its words: move</source>
+            <translation>Im Fenster der Bewegung, nach Eingabe der verlangten Wörter: bewegen</translation>
+        </message>
+        <message>
+            <source>In the plot: move the cursor</source>
+            <translation>In der Kurve: den Cursor bewegen</translation>
+        </message>
+        <message>
+            <source>In the plot: cursor to the oldest or newest time in view</source>
+            <translation>In der Kurve: Cursor zur ältesten oder neuesten Zeit im Bild</translation>
+        </message>
+        <message>
+            <source>In the plot: take the cursor away</source>
+            <translation>In der Kurve: den Cursor entfernen</translation>
+        </message>
+        <message>
+            <source>In the list of signals: remove it from the trend</source>
+            <translation>In der Liste der Signale: aus dem Trend entfernen</translation>
+        </message>
+        <message>
+            <source>In the start sheet, after typing its words: start</source>
+            <translation>Im Startfenster, nach Eingabe der verlangten Wörter: starten</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows of the list with the focus</source>
+            <translation>Die gewählten Zeilen der Liste mit dem Fokus kopieren</translation>
+        </message>
     </context>
     <context>
         <name>QFileDialog</name>
@@ -839,6 +1143,226 @@
         <message>
             <source>JSON (*.json)</source>
             <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Readiness</name>
+        <message>
+            <source>A signal group and a B variable were asked for: %1.</source>
+            <translation>Eine Signalgruppe und eine B-Variable wurden abgefragt: %1.</translation>
+        </message>
+        <message>
+            <source>A signal group and a B variable are asked for while this sheet is open. Writing needs no REMOTE; whether data are protected cannot be read.</source>
+            <translation>Eine Signalgruppe und eine B-Variable werden abgefragt, solange dieses Fenster offen ist. Schreiben braucht kein REMOTE; ob Daten geschützt sind, ist nicht lesbar.</translation>
+        </message>
+        <message>
+            <source>The software version, which tells the model, was not read yet.</source>
+            <translation>Die Softwareversion, die das Modell erkennen lässt, wurde noch nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but %2 is the software of a %3.</source>
+            <translation>Das Profil sagt %1, aber %2 ist die Software einer %3.</translation>
+        </message>
+        <message>
+            <source>The software %1 does not tell the model. The ranges are those of the profile's %2.</source>
+            <translation>Die Software %1 lässt das Modell nicht erkennen. Es gelten die Bereiche der %2 aus dem Profil.</translation>
+        </message>
+        <message>
+            <source>The software %1 is that of a %2. Its ranges come from a table, not from the controller.</source>
+            <translation>Die Software %1 ist die einer %2. Deren Bereiche stammen aus einer Tabelle, nicht von der Steuerung.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was refused: %1.</source>
+            <translation>Das letzte HOLD wurde abgelehnt: %1.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was confirmed by the status. It is a software hold, no emergency stop.</source>
+            <translation>Das letzte HOLD wurde durch den Status bestätigt. Es ist ein Softwarehalt, kein Not-Halt.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was sent, and the status did not confirm it.</source>
+            <translation>Das letzte HOLD wurde gesendet, und der Status hat es nicht bestätigt.</translation>
+        </message>
+        <message>
+            <source>It needs neither REMOTE nor an access level, and was not tried. It is a software hold, no emergency stop.</source>
+            <translation>Es braucht weder REMOTE noch eine Zugriffsstufe und wurde nicht erprobt. Es ist ein Softwarehalt, kein Not-Halt.</translation>
+        </message>
+        <message>
+            <source>A list of jobs was asked for at port %1: %2.</source>
+            <translation>Eine Jobliste wurde an Port %1 abgefragt: %2.</translation>
+        </message>
+        <message>
+            <source>A list of jobs is asked for at port %1.</source>
+            <translation>Eine Jobliste wird an Port %1 abgefragt.</translation>
+        </message>
+        <message>
+            <source>Port %1 lists the jobs. Sending and deleting files need REMOTE.</source>
+            <translation>Port %1 listet die Jobs auf. Senden und Löschen von Dateien brauchen REMOTE.</translation>
+        </message>
+        <message>
+            <source>This simulation has B000 at number %1 on the network.</source>
+            <translation>In dieser Simulation hat B000 im Netzwerk die Nummer %1.</translation>
+        </message>
+        <message>
+            <source>The software version, with which it was compared, was not read yet.</source>
+            <translation>Die Softwareversion, mit der verglichen wurde, wurde noch nicht gelesen.</translation>
+        </message>
+        <message>
+            <source>It was compared with software %1, but %2 runs now: variables are not written before it is compared again.</source>
+            <translation>Verglichen wurde mit Software %1, jetzt läuft aber %2: Variablen werden nicht geschrieben, bevor erneut verglichen wurde.</translation>
+        </message>
+        <message>
+            <source>Whether B000 is number 0 or 1 on the network is unverified; variables are not written.</source>
+            <translation>Ob B000 im Netzwerk die Nummer 0 oder 1 hat, ist nicht geprüft; Variablen werden nicht geschrieben.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1: number 0 on the network is B000.</source>
+            <translation>Mit dem Programmierhandgerät verglichen am %1: Nummer 0 im Netzwerk ist B000.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1, shifted: number 1 on the network is B000.</source>
+            <translation>Mit dem Programmierhandgerät verglichen am %1, verschoben: Nummer 1 im Netzwerk ist B000.</translation>
+        </message>
+        <message>
+            <source>The controller does not answer any more. Reading resumes by itself.</source>
+            <translation>Die Steuerung antwortet nicht mehr. Das Lesen läuft von selbst wieder an.</translation>
+        </message>
+        <message>
+            <source>The controller tells its status and system information. Reading needs no REMOTE.</source>
+            <translation>Die Steuerung nennt ihren Status und ihre Systeminformationen. Lesen braucht kein REMOTE.</translation>
+        </message>
+        <message>
+            <source>Orders are taken in command remote alone: start, select, reset, cycle, servo on.</source>
+            <translation>Befehle werden nur mit CMD REMOTE angenommen: Start, Wählen, Zurücksetzen, Zyklus, Servo ein.</translation>
+        </message>
+        <message>
+            <source>It needs REMOTE, and that no job runs.</source>
+            <translation>Es braucht REMOTE, und es darf kein Job laufen.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY, REMOTE, servo on and a job, and nothing that holds the robot.</source>
+            <translation>Es braucht PLAY, REMOTE, Servo ein und einen Job, und nichts darf den Roboter halten.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY and REMOTE. Servo off can always be ordered from here; whether it is taken without REMOTE is up to the controller.</source>
+            <translation>Es braucht PLAY und REMOTE. Servo aus lässt sich von hier immer befehlen; ob es ohne REMOTE angenommen wird, hängt von der Steuerung ab.</translation>
+        </message>
+        <message>
+            <source>They need what a start needs, but for the job, and a model that knows them.</source>
+            <translation>Sie brauchen dasselbe wie ein Start, nur keinen Job, und dazu ein Modell, das sie kennt.</translation>
+        </message>
+        <message>
+            <source>Sending a file that exists there needs REMOTE and two parameters.</source>
+            <translation>Das Senden einer Datei, die dort vorhanden ist, braucht REMOTE und zwei Parameter.</translation>
+        </message>
+        <message>
+            <source>Reading</source>
+            <translation>Lesen</translation>
+        </message>
+        <message>
+            <source>I/O and variables</source>
+            <translation>E/A und Variablen</translation>
+        </message>
+        <message>
+            <source>Ranges of the model</source>
+            <translation>Bereiche des Modells</translation>
+        </message>
+        <message>
+            <source>Orders (REMOTE)</source>
+            <translation>Befehle (REMOTE)</translation>
+        </message>
+        <message>
+            <source>Selecting a job</source>
+            <translation>Einen Job wählen</translation>
+        </message>
+        <message>
+            <source>Starting a job</source>
+            <translation>Einen Job starten</translation>
+        </message>
+        <message>
+            <source>Switching servo on</source>
+            <translation>Servo einschalten</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>Tippbetrieb und Bewegen</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (Software)</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Dateien</translation>
+        </message>
+        <message>
+            <source>Replacing files</source>
+            <translation>Dateien ersetzen</translation>
+        </message>
+        <message>
+            <source>Numbering of variables</source>
+            <translation>Nummerierung der Variablen</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>erlaubt</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>nicht erlaubt</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>nicht bekannt</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>gemessen</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>vermutet</translation>
+        </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>nicht lesbar</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>noch nicht gelesen</translation>
+        </message>
+        <message>
+            <source>In the way: %1.</source>
+            <translation>Dem steht entgegen: %1.</translation>
+        </message>
+        <message>
+            <source>HSES does not tell whether this is so: %1.</source>
+            <translation>Ob dies zutrifft, sagt HSES nicht: %1.</translation>
+        </message>
+        <message>
+            <source>What helps: %1.</source>
+            <translation>Abhilfe: %1.</translation>
+        </message>
+        <message>
+            <source>Diagnose… in the rail finds out at which step it fails.</source>
+            <translation>„Diagnose…“ in der Seitenleiste stellt fest, an welchem Schritt es scheitert.</translation>
+        </message>
+        <message>
+            <source>Correct the model in the profile (Connect…).</source>
+            <translation>Berichtigen Sie das Modell im Profil („Verbinden…“).</translation>
+        </message>
+        <message>
+            <source>Use the pendant.</source>
+            <translation>Programmierhandgerät benutzen.</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, readiness of %2 (%3), %4, %5</source>
+            <translation>Pendesk %1, Bereitschaft von %2 (%3), %4, %5</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <comment>subject, allowance, evidence</comment>
+            <translation>%1: %2, %3</translation>
         </message>
     </context>
     <context>
@@ -1035,6 +1559,37 @@
         </message>
     </context>
     <context>
+        <name>dialogs::AppearanceDialog</name>
+        <message>
+            <source>As the desktop</source>
+            <translation>Wie der Desktop</translation>
+        </message>
+        <message>
+            <source>Language and look</source>
+            <translation>Sprache und Aussehen</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Hell</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Dunkel</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>&amp;Sprache</translation>
+        </message>
+        <message>
+            <source>L&amp;ook</source>
+            <translation>A&amp;ussehen</translation>
+        </message>
+        <message>
+            <source>Words of the robot and text from the controller stay as they are on the pendant.</source>
+            <translation>Wörter des Roboters und Text aus der Steuerung bleiben so, wie sie auf dem Programmierhandgerät stehen.</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::ApplyDialog</name>
         <message>
             <source>Variable</source>
@@ -1162,6 +1717,113 @@
         <message>
             <source>Copied</source>
             <translation>Kopiert</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::HelpDialog</name>
+        <message>
+            <source>Help — %1</source>
+            <translation>Hilfe — %1</translation>
+        </message>
+        <message>
+            <source>Search in this help</source>
+            <translation>In dieser Hilfe suchen</translation>
+        </message>
+        <message>
+            <source>Nothing here has these words.</source>
+            <translation>Hier kommen diese Wörter nicht vor.</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Hilfe</translation>
+        </message>
+        <message>
+            <source>Keys of this page</source>
+            <translation>Tasten dieser Seite</translation>
+        </message>
+        <message>
+            <source>Keys everywhere</source>
+            <translation>Tasten auf allen Seiten</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>Menü</translation>
+        </message>
+        <message>
+            <source>Without a connection: connect to the controller on the filled button</source>
+            <translation>Ohne Verbindung: mit der Steuerung auf der farbig gefüllten Schaltfläche verbinden</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>Seiten</translation>
+        </message>
+        <message>
+            <source>Live: read within its last three turns.</source>
+            <translation>Live: innerhalb der letzten drei Lesedurchgänge dieses Werts gelesen.</translation>
+        </message>
+        <message>
+            <source>Stale</source>
+            <translation>Veraltet</translation>
+        </message>
+        <message>
+            <source>Stale: read once, too long ago. The tool tip says when. It is not what the robot does now.</source>
+            <translation>Veraltet: einmal gelesen, aber vor zu langer Zeit. Der Tooltip sagt, wann. Es ist nicht, was der Roboter jetzt tut.</translation>
+        </message>
+        <message>
+            <source>Unknown: not read on this connection. It is never shown as 0.</source>
+            <translation>Unbekannt: in dieser Verbindung nicht gelesen. Es wird nie als 0 gezeigt.</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>Abgelehnt</translation>
+        </message>
+        <message>
+            <source>Refused: the controller does not tell it. The reason stands on the card or in the tool tip.</source>
+            <translation>Abgelehnt: Die Steuerung nennt es nicht. Der Grund steht auf der Karte oder im Tooltip.</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>ein</translation>
+        </message>
+        <message>
+            <source>A filled square: on, or 1.</source>
+            <translation>Ein gefülltes Quadrat: ein, oder 1.</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>aus</translation>
+        </message>
+        <message>
+            <source>A hollow square: off, or 0.</source>
+            <translation>Ein leeres Quadrat: aus, oder 0.</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>gehalten</translation>
+        </message>
+        <message>
+            <source>An amber triangle: error, hold, something not allowed or to be looked at.</source>
+            <translation>Ein bernsteinfarbenes Dreieck: Fehler, HOLD, etwas nicht Erlaubtes oder zu Prüfendes.</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>Alarm</translation>
+        </message>
+        <message>
+            <source>A red square: an alarm.</source>
+            <translation>Ein rotes Quadrat: ein Alarm.</translation>
+        </message>
+        <message>
+            <source>What the signs mean</source>
+            <translation>Was die Zeichen bedeuten</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>Beispiel</translation>
+        </message>
+        <message>
+            <source>An amber ground in a table: typed and staged, not sent yet. A red one: it reads back differently from what was written.</source>
+            <translation>Ein bernsteinfarbener Grund in einer Tabelle: eingegeben und vorgemerkt, noch nicht gesendet. Ein roter: Der Wert wird anders zurückgelesen, als er geschrieben wurde.</translation>
         </message>
     </context>
     <context>
@@ -1846,6 +2508,65 @@
         </message>
     </context>
     <context>
+        <name>dialogs::ReadinessSheet</name>
+        <message>
+            <source>Readiness — %1</source>
+            <translation>Bereitschaft — %1</translation>
+        </message>
+        <message>
+            <source>What %1 allows now</source>
+            <translation>Was %1 jetzt erlaubt</translation>
+        </message>
+        <message>
+            <source>Readiness</source>
+            <translation>Bereitschaft</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the readiness and a diagnosis</source>
+            <translation>Bereitschaft und eine Diagnose kopieren</translation>
+        </message>
+        <message>
+            <source>As text for support, with a diagnosis of the link, which takes a moment.</source>
+            <translation>Als Text für den Support, mit einer Diagnose der Verbindung, die einen Moment dauert.</translation>
+        </message>
+        <message>
+            <source>Test numbering…</source>
+            <translation>Nummerierung testen…</translation>
+        </message>
+        <message>
+            <source>It needs a link to the controller.</source>
+            <translation>Dazu muss eine Verbindung zur Steuerung bestehen.</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1: what is hatched was read before.</source>
+            <translation>Kommunikation um %1 verloren: Was schraffiert ist, wurde davor gelesen.</translation>
+        </message>
+        <message>
+            <source>%1 has not answered yet.</source>
+            <translation>%1 hat noch nicht geantwortet.</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is read.</source>
+            <translation>Nicht verbunden: Es wird nichts gelesen.</translation>
+        </message>
+        <message>
+            <source>The status was not read just now.</source>
+            <translation>Der Status ist nicht aktuell.</translation>
+        </message>
+        <message>
+            <source>It is read live and changes nothing. HOLD works meanwhile: Pause key.</source>
+            <translation>Es wird live gelesen und nichts geändert. HOLD bleibt dabei möglich: Pause-Taste.</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>Kopiert</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
@@ -1954,21 +2675,6 @@
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
             <translation>▲ Die Datei konnte nicht zurückgestellt werden. Sehen Sie an der Steuerung nach.</translation>
-        </message>
-    </context>
-    <context>
-        <name>dialogs::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Tastenkürzel</translation>
-        </message>
-        <message>
-            <source>Page: %1</source>
-            <translation>Seite: %1</translation>
-        </message>
-        <message>
-            <source>Menu</source>
-            <translation>Menü</translation>
         </message>
     </context>
     <context>
@@ -2681,6 +3387,10 @@
             <comment>new value</comment>
             <translation>→ %1</translation>
         </message>
+        <message>
+            <source>refused</source>
+            <translation>abgelehnt</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -2941,10 +3651,6 @@
         <message>
             <source>Cancel error accepted.</source>
             <translation>Fehler löschen angenommen.</translation>
-        </message>
-        <message>
-            <source>New alarm %1: %2</source>
-            <translation>Neuer Alarm %1: %2</translation>
         </message>
     </context>
     <context>
@@ -3326,6 +4032,10 @@
             <source>Exporting to %1…</source>
             <translation>Wird nach %1 exportiert…</translation>
         </message>
+        <message>
+            <source>Files are still being read for a backup or a comparison.</source>
+            <translation>Für eine Sicherung oder einen Vergleich werden noch Dateien gelesen.</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>
@@ -3531,6 +4241,10 @@
             <source>Choose files on the right first.</source>
             <translation>Wählen Sie zuerst rechts Dateien.</translation>
         </message>
+        <message>
+            <source>Files are still being transferred.</source>
+            <translation>Es werden noch Dateien übertragen.</translation>
+        </message>
     </context>
     <context>
         <name>pages::GroupCard</name>
@@ -3599,14 +4313,6 @@
         <message>
             <source>Pseudo in</source>
             <translation>Pseudo E</translation>
-        </message>
-        <message>
-            <source>Go to</source>
-            <translation>Gehe zu</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>Gehe zu…  Strg+G</translation>
         </message>
         <message>
             <source>Count from 0</source>
@@ -4284,37 +4990,6 @@
         </message>
     </context>
     <context>
-        <name>pages::NotConnectedPanel</name>
-        <message>
-            <source>Connect to %1</source>
-            <translation>Mit %1 verbinden</translation>
-        </message>
-        <message>
-            <source>Another controller…</source>
-            <translation>Andere Steuerung…</translation>
-        </message>
-        <message>
-            <source>Connect…</source>
-            <translation>Verbinden…</translation>
-        </message>
-        <message>
-            <source>Open the demo</source>
-            <translation>Demo öffnen</translation>
-        </message>
-        <message>
-            <source>Not connected</source>
-            <translation>Nicht verbunden</translation>
-        </message>
-        <message>
-            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
-            <translation>Es wird nichts gelesen und nichts angezeigt. Verbinden Sie sich mit einer Robotersteuerung in Ihrem Netzwerk über deren Namen oder Adresse; ihr Ethernet-Server muss eingeschaltet sein.</translation>
-        </message>
-        <message>
-            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
-            <translation>Beim Verbinden wird nur gelesen. Ist kein Roboter zur Hand, bringt die Demo ihre eigene simulierte Steuerung mit.</translation>
-        </message>
-    </context>
-    <context>
         <name>pages::Offers</name>
         <message>
             <source>Before sending</source>
@@ -4707,6 +5382,53 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
     </context>
     <context>
+        <name>pages::StartPanel</name>
+        <message>
+            <source>Start</source>
+            <translation>Startseite</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>Nicht verbunden</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connecting only reads: nothing is written, started or moved by it.</source>
+            <translation>Es wird nichts gelesen und nichts angezeigt. Beim Verbinden wird nur gelesen: Dadurch wird nichts geschrieben, gestartet oder bewegt.</translation>
+        </message>
+        <message>
+            <source>Connect to a controller…</source>
+            <translation>Mit einer Steuerung verbinden…</translation>
+        </message>
+        <message>
+            <source>A controller in your network</source>
+            <translation>Eine Steuerung in Ihrem Netzwerk</translation>
+        </message>
+        <message>
+            <source>Enter its name or address. Pendesk checks step by step whether it answers, and says what is wrong where it does not.</source>
+            <translation>Geben Sie ihren Namen oder ihre Adresse ein. Pendesk prüft Schritt für Schritt, ob sie antwortet, und sagt, was nicht stimmt, wenn sie es nicht tut.</translation>
+        </message>
+        <message>
+            <source>No robot at hand</source>
+            <translation>Kein Roboter zur Hand</translation>
+        </message>
+        <message>
+            <source>The demo brings a simulated controller in this program. Everything can be tried with it, and no robot moves.</source>
+            <translation>Die Demo bringt eine simulierte Steuerung in diesem Programm mit. Alles lässt sich damit ausprobieren, und kein Roboter bewegt sich.</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>Demo öffnen</translation>
+        </message>
+        <message>
+            <source>Recent controllers</source>
+            <translation>Zuletzt verbundene Steuerungen</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>Andere Steuerung…</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::StateCard</name>
         <message>
             <source>State</source>
@@ -4997,14 +5719,6 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <translation>Letztes rückgängig</translation>
         </message>
         <message>
-            <source>Go to</source>
-            <translation>Gehe zu</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>Gehe zu…  Strg+G</translation>
-        </message>
-        <message>
             <source>Import…</source>
             <translation>Importieren…</translation>
         </message>
@@ -5071,6 +5785,13 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <source>%1 stays as it is: %2</source>
             <comment>variable: reason</comment>
             <translation>%1 bleibt, wie es ist: %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n staged value(s) were not applied.</source>
+            <translation>
+                <numerusform>%n vorgemerkter Wert wurde nicht angewendet.</numerusform>
+                <numerusform>%n vorgemerkte Werte wurden nicht angewendet.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5155,6 +5876,71 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
     </context>
     <context>
+        <name>pages::start::RecentTile</name>
+        <message>
+            <source>no connection noted yet</source>
+            <translation>noch keine Verbindung vermerkt</translation>
+        </message>
+        <message>
+            <source>connected today %1</source>
+            <comment>the time</comment>
+            <translation>heute um %1 verbunden</translation>
+        </message>
+        <message>
+            <source>connected yesterday %1</source>
+            <comment>the time</comment>
+            <translation>gestern um %1 verbunden</translation>
+        </message>
+        <message>
+            <source>connected %1 %2</source>
+            <comment>the date, the time</comment>
+            <translation>am %1 um %2 verbunden</translation>
+        </message>
+        <message>
+            <source>Connect to %1</source>
+            <translation>Mit %1 verbinden</translation>
+        </message>
+        <message>
+            <source>simulation</source>
+            <translation>Simulation</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::start::SetupCard</name>
+        <message>
+            <source>What must be set on the pendant</source>
+            <translation>Was am Programmierhandgerät eingestellt sein muss</translation>
+        </message>
+        <message>
+            <source>Menus differ by model and software</source>
+            <translation>Menüs unterscheiden sich je nach Modell und Software</translation>
+        </message>
+        <message>
+            <source>To be found</source>
+            <translation>Um gefunden zu werden</translation>
+        </message>
+        <message>
+            <source>The Ethernet server function (HSES) is on; it is an option of DX100, DX200 and FS100. The controller has an IPv4 address in the network of this computer, and no firewall between them drops UDP %1 and %2.</source>
+            <translation>Die Ethernet-Server-Funktion (HSES) ist eingeschaltet; bei DX100, DX200 und FS100 ist sie eine Option. Die Steuerung hat eine IPv4-Adresse im Netzwerk dieses Rechners, und keine Firewall dazwischen verwirft UDP %1 und %2.</translation>
+        </message>
+        <message>
+            <source>To take orders</source>
+            <translation>Um Befehle anzunehmen</translation>
+        </message>
+        <message>
+            <source>Only for starting, moving, resetting and files, not for reading: %1.</source>
+            <translation>Nur zum Starten, Bewegen, Zurücksetzen und für Dateien, nicht zum Lesen: %1.</translation>
+        </message>
+        <message>
+            <source>To select and replace</source>
+            <translation>Zum Wählen und Ersetzen</translation>
+        </message>
+        <message>
+            <source>For selecting jobs from here: %1. For replacing files that exist there: %2.</source>
+            <translation>Um von hier Jobs zu wählen: %1. Um Dateien zu ersetzen, die dort vorhanden sind: %2.</translation>
+        </message>
+    </context>
+    <context>
         <name>pendesk</name>
         <message>
             <source>A teach and monitor desk for Yaskawa robot controllers.</source>
@@ -5204,20 +5990,20 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <source>--pictures needs a folder, and --demo, --host or --profile.</source>
             <translation>--pictures braucht einen Ordner und --demo, --host oder --profile.</translation>
         </message>
+        <message>
+            <source>Write one picture of all pages, light and dark, in English, German and Japanese, and end.</source>
+            <translation>Ein Bild aller Seiten, hell und dunkel, auf Englisch, Deutsch und Japanisch schreiben und beenden.</translation>
+        </message>
+        <message>
+            <source>--contact-sheet needs a file, and --demo, --host or --profile.</source>
+            <translation>--contact-sheet braucht eine Datei und --demo, --host oder --profile.</translation>
+        </message>
     </context>
     <context>
         <name>pendesk::Pictures</name>
         <message>
             <source>not everything was read</source>
             <translation>nicht alles wurde gelesen</translation>
-        </message>
-        <message>
-            <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk: innerhalb von 5 s keine Steuerung live: %1.</translation>
-        </message>
-        <message>
-            <source>pendesk: the folder %1 cannot be made.</source>
-            <translation>pendesk: Der Ordner %1 kann nicht angelegt werden.</translation>
         </message>
         <message>
             <source>pendesk: %1 cannot be written.</source>
@@ -5266,6 +6052,22 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         <message>
             <source>Pictures are in %1</source>
             <translation>Die Bilder sind in %1</translation>
+        </message>
+        <message>
+            <source>the folder %1 cannot be made</source>
+            <translation>der Ordner %1 kann nicht angelegt werden</translation>
+        </message>
+        <message>
+            <source>no live controller within 5 s: %1</source>
+            <translation>innerhalb von 5 s keine Steuerung live: %1</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written</source>
+            <translation>%1 kann nicht geschrieben werden</translation>
+        </message>
+        <message>
+            <source>pendesk: %1.</source>
+            <translation>pendesk: %1.</translation>
         </message>
     </context>
     <context>
@@ -6867,6 +7669,13 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
         </message>
     </context>
     <context>
+        <name>ui::Announcer</name>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>Neuer Alarm %1: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ArmBadge</name>
         <message>
             <source>This controller is armed: press to disarm.</source>
@@ -7013,6 +7822,14 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
         <message>
             <source>%1 requests/s</source>
             <translation>%1 Anfragen/s</translation>
+        </message>
+        <message>
+            <source>Something is unfinished</source>
+            <translation>Etwas ist noch nicht fertig</translation>
+        </message>
+        <message>
+            <source>Go on and lose it</source>
+            <translation>Fortfahren und verwerfen</translation>
         </message>
     </context>
     <context>
@@ -7571,6 +8388,17 @@ HOLD ist ein Softwarehalt über das Netzwerk und keine Sicherheitsfunktion.</tra
                 <numerusform>und %n weitere</numerusform>
                 <numerusform>und %n weitere</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::GoToEdit</name>
+        <message>
+            <source>Go to</source>
+            <translation>Gehe zu</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>Gehe zu…  Strg+G</translation>
         </message>
     </context>
     <context>

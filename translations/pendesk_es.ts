@@ -44,16 +44,24 @@
             <translation>Copiar diagnóstico</translation>
         </message>
         <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Atajos de teclado</translation>
-        </message>
-        <message>
             <source>About Pendesk</source>
             <translation>Acerca de Pendesk</translation>
         </message>
         <message>
             <source>Quit</source>
             <translation>Salir</translation>
+        </message>
+        <message>
+            <source>Language and look…</source>
+            <translation>Idioma y aspecto…</translation>
+        </message>
+        <message>
+            <source>Readiness…</source>
+            <translation>Disponibilidad…</translation>
+        </message>
+        <message>
+            <source>Help and shortcuts</source>
+            <translation>Ayuda y atajos</translation>
         </message>
     </context>
     <context>
@@ -644,10 +652,6 @@
             <translation>ajuste los parámetros RS029 y RS214 a 1: %1</translation>
         </message>
         <message>
-            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
-            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
-        </message>
-        <message>
             <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
             <translation>SETUP, FUNCTION COND. o FUNCTION ENABLE</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>PARAMETER, RS (management mode)</source>
             <translation>PARAMETER, RS (modo de administración)</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 en un DX100)</translation>
         </message>
     </context>
     <context>
@@ -829,6 +837,302 @@
             <source>Journal</source>
             <translation>Diario</translation>
         </message>
+        <message>
+            <source>The state of the robot at a glance: mode, cycle, servo, run, the three causes of a hold, alarm, error and speed limit, the executing job, the position of R1, and how well the link works.</source>
+            <translation>El estado del robot de un vistazo: modo, ciclo, servo, marcha, las tres causas de HOLD, alarma, error y límite de velocidad, el trabajo en ejecución, la posición de R1 y la calidad del enlace.</translation>
+        </message>
+        <message>
+            <source>“What can I do now?” lists what may be ordered. ✓ may be tried, ✗ may not, with the first reason beside it.</source>
+            <translation>“¿Qué puedo hacer ahora?” enumera lo que se puede ordenar. ✓ se puede intentar; ✗ no, con el primer motivo al lado.</translation>
+        </message>
+        <message>
+            <source>Bits that contradict each other, such as TEACH and PLAY, are shown side by side as they were received, under ▲.</source>
+            <translation>Los bits que se contradicen, como TEACH y PLAY, se muestran uno junto al otro tal como se recibieron, bajo ▲.</translation>
+        </message>
+        <message>
+            <source>Copy beside the system information takes model and software to the clipboard. The right mouse button on a number adds it to the trend.</source>
+            <translation>Copiar, junto a la información del sistema, lleva el modelo y el software al portapapeles. El botón derecho del ratón sobre un número lo añade a la tendencia.</translation>
+        </message>
+        <message>
+            <source>Up to four active alarms, the newest first, and the past alarms that were read from the controller.</source>
+            <translation>Hasta cuatro alarmas activas, la más reciente primero, y las alarmas anteriores que se leyeron del controlador.</translation>
+        </message>
+        <message>
+            <source>Acknowledge is noted on this computer only: the robot does not hear of it.</source>
+            <translation>Reconocer se anota solo en este equipo: al robot no se le comunica.</translation>
+        </message>
+        <message>
+            <source>Reset alarm and Cancel error are orders: they need REMOTE and the level Operate, and say before what they clear. After a reset that was accepted an alarm may stay: then its cause is still there.</source>
+            <translation>Restablecer alarma y Cancelar error son órdenes: necesitan REMOTE y el nivel Operación, e indican antes qué restablecen o cancelan. Tras un restablecimiento aceptado, una alarma puede permanecer: en ese caso su causa sigue presente.</translation>
+        </message>
+        <message>
+            <source>Read now fetches the history and keeps it in the journal, even after the controller has dropped it. Most frequent counts codes.</source>
+            <translation>Leer ahora obtiene el historial y lo conserva en el diario, incluso después de que el controlador lo haya descartado. Más frecuentes cuenta los códigos.</translation>
+        </message>
+        <message>
+            <source>Notes keep what caused a code and what was done, on this computer.</source>
+            <translation>Las notas guardan en este equipo qué causó un código y qué se hizo.</translation>
+        </message>
+        <message>
+            <source>All signals of one area, a group of eight in a row. A filled square is 1, a hollow one 0; a frame marks what changed in the last two seconds.</source>
+            <translation>Todas las señales de un área, un grupo de ocho por fila. Un cuadrado relleno es 1, uno hueco es 0; un marco señala lo que cambió en los dos últimos segundos.</translation>
+        </message>
+        <message>
+            <source>Only network inputs can be written over HSES, by an engineer. A write reads the group, changes one bit, shows old and new, and reads back: eight bits travel together.</source>
+            <translation>Por HSES solo se pueden escribir las entradas de red, y se necesita el nivel Ingeniería. Una escritura lee el grupo, cambia un bit, muestra el valor anterior y el nuevo, y vuelve a leer: los ocho bits viajan juntos.</translation>
+        </message>
+        <message>
+            <source>Names come from the controller's IONAME.DAT. The right mouse button names a signal here, or puts it on the tab Watch.</source>
+            <translation>Los nombres proceden del archivo IONAME.DAT del controlador. El botón derecho del ratón permite dar aquí nombre a una señal o ponerla en la pestaña Vigilar.</translation>
+        </message>
+        <message>
+            <source>Watch counts edges and draws the last minute. It reads four times a second: shorter pulses are not seen.</source>
+            <translation>Vigilar cuenta los flancos y dibuja el último minuto. Lee cuatro veces por segundo: los impulsos más cortos no se ven.</translation>
+        </message>
+        <message>
+            <source>Go to takes #27010 as well as IN#(1).</source>
+            <translation>Ir a admite tanto #27010 como IN#(1).</translation>
+        </message>
+        <message>
+            <source>The registers M000 to M999, as decimal, signed, hexadecimal or binary numbers. Only the rows in view are read.</source>
+            <translation>Los registros de M000 a M999, como números decimales, con signo, hexadecimales o binarios. Solo se leen las filas visibles.</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written by an engineer; the others belong to the ladder.</source>
+            <translation>De M000 a M559 se pueden escribir con el nivel Ingeniería; los demás pertenecen al programa de escalera (ladder).</translation>
+        </message>
+        <message>
+            <source>Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back.</source>
+            <translation>Intro en el editor prepara un valor: pasa a color ámbar y no se envía nada. Aplicar muestra el valor anterior y el nuevo de todos los valores preparados, escribe cada uno una vez y lo vuelve a leer.</translation>
+        </message>
+        <message>
+            <source>A value that reads back differently is red and stays. Undo last stages the values from before the last Apply.</source>
+            <translation>Un valor que al volver a leerse es diferente se muestra en rojo y permanece. Deshacer lo último prepara los valores que había antes de la última aplicación.</translation>
+        </message>
+        <message>
+            <source>The variables B I D R S P BP and EX with their names, their value before, and when they changed. Only the rows in view are read.</source>
+            <translation>Las variables B I D R S P BP y EX con sus nombres, su valor anterior y cuándo cambiaron. Solo se leen las filas visibles.</translation>
+        </message>
+        <message>
+            <source>Nothing is written before the numbering was compared with the pendant: Verify… does that, and only reads.</source>
+            <translation>No se escribe nada antes de comparar la numeración con la consola de programación: Verificar… lo hace, y solo lee.</translation>
+        </message>
+        <message>
+            <source>Import and Export take CSV files; cells of a spreadsheet can be pasted. Both show first what would differ.</source>
+            <translation>Importar y Exportar utilizan archivos CSV; se pueden pegar celdas de una hoja de cálculo. Tanto al importar como al pegar se muestra primero qué cambiaría.</translation>
+        </message>
+        <message>
+            <source>A watch page is a list of your own: the right mouse button puts rows of any tab on it.</source>
+            <translation>Una página de vigilancia es una lista propia: el botón derecho del ratón pone en ella filas de cualquier pestaña.</translation>
+        </message>
+        <message>
+            <source>The tool point in the base frame, with form and tool; the axes in pulses with following error, torque and temperature where the model tells them; and the path of the tool point.</source>
+            <translation>El punto de herramienta en el sistema de coordenadas base, con forma y herramienta; los ejes en pulsos, con error de seguimiento, par y temperatura si el modelo los indica; y la trayectoria del punto de herramienta.</translation>
+        </message>
+        <message>
+            <source>Degrees of axes stand here only where the profile gives pulses per degree: the controller does not tell them.</source>
+            <translation>Los grados de los ejes solo aparecen aquí si el perfil indica los pulsos por grado: el controlador no los comunica.</translation>
+        </message>
+        <message>
+            <source>Torque is shown as the controller sends it: its unit is stated nowhere.</source>
+            <translation>El par se muestra tal como lo envía el controlador: su unidad no se indica en ninguna parte.</translation>
+        </message>
+        <message>
+            <source>Min and max count from the last reset, while this page is read. Copy as text takes the table in view.</source>
+            <translation>El mín. y el máx. cuentan desde el último restablecimiento, mientras se lee esta página. Copiar como texto toma la tabla visible.</translation>
+        </message>
+        <message>
+            <source>Control groups that the controller refuses have no tab; the line beside the tabs counts them.</source>
+            <translation>Los grupos de control que el controlador rechaza no tienen pestaña; la línea junto a las pestañas indica cuántos son.</translation>
+        </message>
+        <message>
+            <source>Moves the robot by orders, in automatic operation. The pendant's enabling switch does not protect anyone here, and nobody may be inside the fence. It is off in TEACH, always.</source>
+            <translation>Mueve el robot mediante órdenes, en modo automático. El interruptor de habilitación de la consola de programación no protege aquí a nadie, y nadie debe estar dentro del vallado. En TEACH está siempre desactivado.</translation>
+        </message>
+        <message>
+            <source>Arming needs the level Operate, REMOTE and PLAY; moving needs Engineer too. Losing the focus, a minute without a key or the mouse, an alarm or a lost link disarms.</source>
+            <translation>Para armar se necesita el nivel Operación, REMOTE y PLAY; para mover se necesita además el nivel Ingeniería. Perder el foco, un minuto sin teclado ni ratón, una alarma o la pérdida del enlace desarman el controlador.</translation>
+        </message>
+        <message>
+            <source>Jog sends one bounded step after another while a button is held. Letting go sends no more steps and holds the one that runs; after a lost link the robot still ends its step.</source>
+            <translation>Movimiento manual envía un paso limitado tras otro mientras se mantiene pulsado un botón. Al soltarlo no se envían más pasos y el que está en curso se detiene con HOLD; si se pierde el enlace, el robot aun así termina su paso.</translation>
+        </message>
+        <message>
+            <source>Move shows present place, target and change first. Rehearse… opens the sheet on which the move is confirmed.</source>
+            <translation>Mover muestra primero la posición actual, el destino y el cambio. Comprobación previa… abre la ventana en la que se confirma el movimiento.</translation>
+        </message>
+        <message>
+            <source>What was sent without an answer is called unknown, never failed: look at the robot.</source>
+            <translation>Lo que se envió y quedó sin respuesta se llama desconocido, nunca fallido: observe el robot.</translation>
+        </message>
+        <message>
+            <source>Draws any number over time. Drag it here from a page, choose “Add to trend” in its menu, or use Add signal….</source>
+            <translation>Dibuja cualquier número a lo largo del tiempo. Arrástrelo aquí desde una página, elija “Añadir a la tendencia” en su menú o utilice Añadir señal….</translation>
+        </message>
+        <message>
+            <source>Pause freezes the view; recording goes on. Gaps in a curve are times in which nothing was read.</source>
+            <translation>Pausa congela la vista; el registro continúa. Los huecos de una curva son periodos en los que no se leyó nada.</translation>
+        </message>
+        <message>
+            <source>The time box chooses how long a time is in view; under the cursor stand the values of that moment.</source>
+            <translation>El cuadro de tiempo determina cuánto tiempo abarca la vista; bajo el cursor figuran los valores de ese momento.</translation>
+        </message>
+        <message>
+            <source>An incident keeps 60 s before and 20 s after an alarm came up. It can be opened here later.</source>
+            <translation>Un incidente conserva 60 s antes y 20 s después de producirse una alarma. Se puede abrir aquí más tarde.</translation>
+        </message>
+        <message>
+            <source>Export CSV… writes what is in view, with times in UTC.</source>
+            <translation>Exportar CSV… escribe lo que está en la vista, con las horas en UTC.</translation>
+        </message>
+        <message>
+            <source>The jobs on the controller and the text of the chosen one, with the line that is executed. A banner says when the text may be old.</source>
+            <translation>Los trabajos del controlador y el texto del elegido, con la línea que se ejecuta. Un aviso indica cuándo el texto puede ser antiguo.</translation>
+        </message>
+        <message>
+            <source>“Selected” and “Executing” are two things: what a start would begin, and what runs.</source>
+            <translation>“Seleccionado” y “En ejecución” son dos cosas distintas: lo que comenzaría con un inicio y lo que está en marcha.</translation>
+        </message>
+        <message>
+            <source>Start needs REMOTE, PLAY, servo on, the level Operate and an armed controller. Its sheet names controller, job and line, and the button works after one second. Nothing is ever started twice.</source>
+            <translation>Iniciar necesita REMOTE, PLAY, Servo ON, el nivel Operación y un controlador armado. Su ventana indica controlador, trabajo y línea, y el botón funciona al cabo de un segundo. Nunca se inicia nada dos veces.</translation>
+        </message>
+        <message>
+            <source>Buttons show what was read. “Pending” stands until the status agrees.</source>
+            <translation>Los botones muestran lo que se leyó. “Pendiente” permanece hasta que el estado coincide.</translation>
+        </message>
+        <message>
+            <source>HOLD from here can be released here. A hold by the pendant is released there.</source>
+            <translation>Un HOLD dado desde aquí se puede liberar aquí. Un HOLD por la consola de programación se libera allí.</translation>
+        </message>
+        <message>
+            <source>“Why not?” beside a button lists all its conditions.</source>
+            <translation>“¿Por qué no?” junto a un botón enumera todas sus condiciones.</translation>
+        </message>
+        <message>
+            <source>Files of this computer on the left, of the controller on the right, by type.</source>
+            <translation>Los archivos de este equipo a la izquierda y los del controlador a la derecha, por tipo.</translation>
+        </message>
+        <message>
+            <source>Fetch only reads. Send and Delete are for engineers and need REMOTE on.</source>
+            <translation>Obtener solo lee. Enviar y Borrar necesitan el nivel Ingeniería y REMOTE activado.</translation>
+        </message>
+        <message>
+            <source>A file that exists already is asked about: compare it, replace it, or leave it, which is the default. A file cut off half way never replaces a good one.</source>
+            <translation>Si un archivo ya existe, se pregunta qué hacer: compararlo, reemplazarlo o dejarlo como está, que es lo predeterminado. Un archivo interrumpido a medias nunca reemplaza a uno correcto.</translation>
+        </message>
+        <message>
+            <source>Before a job is sent its text is checked, and afterwards it is read back and compared.</source>
+            <translation>Antes de enviar un trabajo se comprueba su texto, y después se vuelve a leer y se compara.</translation>
+        </message>
+        <message>
+            <source>Transfers lists every file with its bytes and state. Retry failed sends none that was finished.</source>
+            <translation>Transferencias enumera cada archivo con sus bytes y su estado. Reintentar fallidas no vuelve a enviar ninguna que haya terminado.</translation>
+        </message>
+        <message>
+            <source>Backups of this controller, the newest first, with the files that are missing in each. ▲ marks one that is not whole.</source>
+            <translation>Las copias de seguridad de este controlador, la más reciente primero, con los archivos que faltan en cada una. ▲ marca la que no está completa.</translation>
+        </message>
+        <message>
+            <source>Back up now reads every file into a new folder with a checksum of each. A file that fails does not stop the rest.</source>
+            <translation>Hacer copia ahora lee todos los archivos en una carpeta nueva, con una suma de comprobación de cada uno. Un archivo que falla no detiene los demás.</translation>
+        </message>
+        <message>
+            <source>Verify reads every byte again. Compare finds what differs from another backup or from the controller now; dates and counters are left out, and the page says which.</source>
+            <translation>Verificar vuelve a leer cada byte. Comparar encuentra lo que difiere de otra copia de seguridad o del controlador ahora; las fechas y los contadores se omiten, y la página indica cuáles.</translation>
+        </message>
+        <message>
+            <source>Restore… plans first, makes a fresh backup, sends what changed, and reads it back. It needs an engineer and REMOTE, and no job may run.</source>
+            <translation>Restaurar… primero planifica, hace una copia de seguridad nueva, envía lo modificado y lo vuelve a leer. Se necesita el nivel Ingeniería y REMOTE, y no debe haber ningún trabajo en marcha.</translation>
+        </message>
+        <message>
+            <source>Old backups go by number and age as set below the list, never the last good one or a pinned one.</source>
+            <translation>Las copias de seguridad antiguas se borran por número y antigüedad según lo ajustado debajo de la lista; nunca la última correcta ni una fijada.</translation>
+        </message>
+        <message>
+            <source>Everything that was tried from here: writes, starts, moves, servo, files, and what was refused or withheld, with user, old and new value, and the controller's answer.</source>
+            <translation>Todo lo que se intentó desde aquí: escrituras, inicios, movimientos, servo, archivos, y lo que se rechazó o no se llegó a enviar, con usuario, valor anterior y nuevo, y la respuesta del controlador.</translation>
+        </message>
+        <message>
+            <source>“Unknown” means that no answer came: it may have happened.</source>
+            <translation>“Desconocido” significa que no llegó respuesta: puede haberse ejecutado.</translation>
+        </message>
+        <message>
+            <source>Filter by controller, kind, time and outcome, or search in all texts. Older records come when scrolling down.</source>
+            <translation>Filtre por controlador, clase, tiempo y resultado, o busque en todos los textos. Los registros anteriores aparecen al desplazarse hacia abajo.</translation>
+        </message>
+        <message>
+            <source>The journal is kept on this computer for all controllers and can be read without a connection. Export writes what the filter shows.</source>
+            <translation>El diario se guarda en este equipo para todos los controladores y se puede leer sin conexión. Exportar escribe lo que muestra el filtro.</translation>
+        </message>
+        <message>
+            <source>Go to a signal</source>
+            <translation>Ir a una señal</translation>
+        </message>
+        <message>
+            <source>Write the signal (network inputs)</source>
+            <translation>Escribir la señal (entradas de red)</translation>
+        </message>
+        <message>
+            <source>On the tab Watch: watch the signal no longer</source>
+            <translation>En la pestaña Vigilar: dejar de vigilar la señal</translation>
+        </message>
+        <message>
+            <source>Go to a register</source>
+            <translation>Ir a un registro</translation>
+        </message>
+        <message>
+            <source>Open the editor; in it: stage the value</source>
+            <translation>Abrir el editor; en él: preparar el valor</translation>
+        </message>
+        <message>
+            <source>Discard the staged value</source>
+            <translation>Descartar el valor preparado</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows</source>
+            <translation>Copiar las filas seleccionadas</translation>
+        </message>
+        <message>
+            <source>Paste cells: they are staged after a preview</source>
+            <translation>Pegar celdas: se preparan tras una vista previa</translation>
+        </message>
+        <message>
+            <source>Go to a variable</source>
+            <translation>Ir a una variable</translation>
+        </message>
+        <message>
+            <source>Held on a jog button: steps, if keyboard jog was switched on</source>
+            <translation>Manteniéndolas pulsadas en un botón de movimiento manual: pasos, si se activó el movimiento manual con el teclado</translation>
+        </message>
+        <message>
+            <source>In the sheet of the move, after typing its words: move</source>
+            <translation>En la ventana del movimiento, tras escribir el texto que pide: mover</translation>
+        </message>
+        <message>
+            <source>In the plot: move the cursor</source>
+            <translation>En la curva: mover el cursor</translation>
+        </message>
+        <message>
+            <source>In the plot: cursor to the oldest or newest time in view</source>
+            <translation>En la curva: cursor al momento más antiguo o más reciente de la vista</translation>
+        </message>
+        <message>
+            <source>In the plot: take the cursor away</source>
+            <translation>En la curva: quitar el cursor</translation>
+        </message>
+        <message>
+            <source>In the list of signals: remove it from the trend</source>
+            <translation>En la lista de señales: quitarla de la tendencia</translation>
+        </message>
+        <message>
+            <source>In the start sheet, after typing its words: start</source>
+            <translation>En la ventana de inicio, tras escribir el texto que pide: iniciar</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows of the list with the focus</source>
+            <translation>Copiar las filas seleccionadas de la lista que tiene el foco</translation>
+        </message>
     </context>
     <context>
         <name>QFileDialog</name>
@@ -839,6 +1143,226 @@
         <message>
             <source>JSON (*.json)</source>
             <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Readiness</name>
+        <message>
+            <source>A signal group and a B variable were asked for: %1.</source>
+            <translation>Se solicitaron un grupo de señales y una variable B: %1.</translation>
+        </message>
+        <message>
+            <source>A signal group and a B variable are asked for while this sheet is open. Writing needs no REMOTE; whether data are protected cannot be read.</source>
+            <translation>Se solicitan un grupo de señales y una variable B mientras esta ventana está abierta. Para escribir no se necesita REMOTE; no se puede leer si los datos están protegidos.</translation>
+        </message>
+        <message>
+            <source>The software version, which tells the model, was not read yet.</source>
+            <translation>La versión del software, que indica el modelo, aún no se ha leído.</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but %2 is the software of a %3.</source>
+            <translation>El perfil indica %1, pero %2 es el software de un %3.</translation>
+        </message>
+        <message>
+            <source>The software %1 does not tell the model. The ranges are those of the profile's %2.</source>
+            <translation>El software %1 no indica el modelo. Los rangos son los de %2, el modelo del perfil.</translation>
+        </message>
+        <message>
+            <source>The software %1 is that of a %2. Its ranges come from a table, not from the controller.</source>
+            <translation>El software %1 es el de un %2. Sus rangos proceden de una tabla, no del controlador.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was refused: %1.</source>
+            <translation>El último HOLD fue rechazado: %1.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was confirmed by the status. It is a software hold, no emergency stop.</source>
+            <translation>El último HOLD fue confirmado por el estado. Es una retención por software, no una parada de emergencia.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was sent, and the status did not confirm it.</source>
+            <translation>El último HOLD se envió y el estado no lo confirmó.</translation>
+        </message>
+        <message>
+            <source>It needs neither REMOTE nor an access level, and was not tried. It is a software hold, no emergency stop.</source>
+            <translation>No necesita REMOTE ni nivel de acceso, y no se ha probado. Es una retención por software, no una parada de emergencia.</translation>
+        </message>
+        <message>
+            <source>A list of jobs was asked for at port %1: %2.</source>
+            <translation>Se solicitó una lista de trabajos en el puerto %1: %2.</translation>
+        </message>
+        <message>
+            <source>A list of jobs is asked for at port %1.</source>
+            <translation>Se solicita una lista de trabajos en el puerto %1.</translation>
+        </message>
+        <message>
+            <source>Port %1 lists the jobs. Sending and deleting files need REMOTE.</source>
+            <translation>El puerto %1 muestra la lista de trabajos. Para enviar y borrar archivos se necesita REMOTE.</translation>
+        </message>
+        <message>
+            <source>This simulation has B000 at number %1 on the network.</source>
+            <translation>En esta simulación, B000 es el número %1 en la red.</translation>
+        </message>
+        <message>
+            <source>The software version, with which it was compared, was not read yet.</source>
+            <translation>La versión del software con la que se comparó aún no se ha leído.</translation>
+        </message>
+        <message>
+            <source>It was compared with software %1, but %2 runs now: variables are not written before it is compared again.</source>
+            <translation>Se comparó con el software %1, pero ahora se ejecuta %2: no se escriben variables antes de volver a compararla.</translation>
+        </message>
+        <message>
+            <source>Whether B000 is number 0 or 1 on the network is unverified; variables are not written.</source>
+            <translation>No se ha verificado si B000 es el número 0 o 1 en la red; no se escriben variables.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1: number 0 on the network is B000.</source>
+            <translation>Comparada con la consola de programación el %1: el número 0 en la red es B000.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1, shifted: number 1 on the network is B000.</source>
+            <translation>Comparada con la consola de programación el %1, desplazada: el número 1 en la red es B000.</translation>
+        </message>
+        <message>
+            <source>The controller does not answer any more. Reading resumes by itself.</source>
+            <translation>El controlador ya no responde. La lectura se reanuda por sí sola.</translation>
+        </message>
+        <message>
+            <source>The controller tells its status and system information. Reading needs no REMOTE.</source>
+            <translation>El controlador comunica su estado y su información del sistema. Para leer no se necesita REMOTE.</translation>
+        </message>
+        <message>
+            <source>Orders are taken in command remote alone: start, select, reset, cycle, servo on.</source>
+            <translation>Solo se aceptan órdenes en remoto por comando (command remote): iniciar, seleccionar, restablecer, ciclo, Servo ON.</translation>
+        </message>
+        <message>
+            <source>It needs REMOTE, and that no job runs.</source>
+            <translation>Se necesita REMOTE y que no haya ningún trabajo en marcha.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY, REMOTE, servo on and a job, and nothing that holds the robot.</source>
+            <translation>Se necesita PLAY, REMOTE, Servo ON y un trabajo, y que nada retenga el robot.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY and REMOTE. Servo off can always be ordered from here; whether it is taken without REMOTE is up to the controller.</source>
+            <translation>Se necesita PLAY y REMOTE. Servo OFF siempre se puede ordenar desde aquí; que se acepte sin REMOTE depende del controlador.</translation>
+        </message>
+        <message>
+            <source>They need what a start needs, but for the job, and a model that knows them.</source>
+            <translation>Necesitan lo mismo que un inicio, excepto el trabajo, y un modelo que los admita.</translation>
+        </message>
+        <message>
+            <source>Sending a file that exists there needs REMOTE and two parameters.</source>
+            <translation>Para enviar un archivo que ya existe allí se necesitan REMOTE y dos parámetros.</translation>
+        </message>
+        <message>
+            <source>Reading</source>
+            <translation>Lectura</translation>
+        </message>
+        <message>
+            <source>I/O and variables</source>
+            <translation>E/S y variables</translation>
+        </message>
+        <message>
+            <source>Ranges of the model</source>
+            <translation>Rangos del modelo</translation>
+        </message>
+        <message>
+            <source>Orders (REMOTE)</source>
+            <translation>Órdenes (REMOTE)</translation>
+        </message>
+        <message>
+            <source>Selecting a job</source>
+            <translation>Seleccionar un trabajo</translation>
+        </message>
+        <message>
+            <source>Starting a job</source>
+            <translation>Iniciar un trabajo</translation>
+        </message>
+        <message>
+            <source>Switching servo on</source>
+            <translation>Conectar los servos (Servo ON)</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>Movimiento manual y desplazamiento</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (software)</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Archivos</translation>
+        </message>
+        <message>
+            <source>Replacing files</source>
+            <translation>Reemplazar archivos</translation>
+        </message>
+        <message>
+            <source>Numbering of variables</source>
+            <translation>Numeración de variables</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>permitido</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>no permitido</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>desconocido</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>medido</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>supuesto</translation>
+        </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>no se puede leer</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>aún no leído</translation>
+        </message>
+        <message>
+            <source>In the way: %1.</source>
+            <translation>Lo impide: %1.</translation>
+        </message>
+        <message>
+            <source>HSES does not tell whether this is so: %1.</source>
+            <translation>HSES no indica si esto se cumple: %1.</translation>
+        </message>
+        <message>
+            <source>What helps: %1.</source>
+            <translation>Qué hacer: %1.</translation>
+        </message>
+        <message>
+            <source>Diagnose… in the rail finds out at which step it fails.</source>
+            <translation>Diagnóstico… en la barra de navegación averigua en qué paso falla.</translation>
+        </message>
+        <message>
+            <source>Correct the model in the profile (Connect…).</source>
+            <translation>Corrija el modelo en el perfil (Conectar…).</translation>
+        </message>
+        <message>
+            <source>Use the pendant.</source>
+            <translation>Utilice la consola de programación.</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, readiness of %2 (%3), %4, %5</source>
+            <translation>Pendesk %1, disponibilidad de %2 (%3), %4, %5</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <comment>subject, allowance, evidence</comment>
+            <translation>%1: %2, %3</translation>
         </message>
     </context>
     <context>
@@ -1035,6 +1559,37 @@
         </message>
     </context>
     <context>
+        <name>dialogs::AppearanceDialog</name>
+        <message>
+            <source>As the desktop</source>
+            <translation>Como el escritorio</translation>
+        </message>
+        <message>
+            <source>Language and look</source>
+            <translation>Idioma y aspecto</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Claro</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Oscuro</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>&amp;Idioma</translation>
+        </message>
+        <message>
+            <source>L&amp;ook</source>
+            <translation>As&amp;pecto</translation>
+        </message>
+        <message>
+            <source>Words of the robot and text from the controller stay as they are on the pendant.</source>
+            <translation>Las palabras del robot y los textos del controlador quedan como están en la consola de programación.</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::ApplyDialog</name>
         <message>
             <source>Variable</source>
@@ -1162,6 +1717,113 @@
         <message>
             <source>Copied</source>
             <translation>Copiado</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::HelpDialog</name>
+        <message>
+            <source>Help — %1</source>
+            <translation>Ayuda — %1</translation>
+        </message>
+        <message>
+            <source>Search in this help</source>
+            <translation>Buscar en esta ayuda</translation>
+        </message>
+        <message>
+            <source>Nothing here has these words.</source>
+            <translation>Nada de lo que hay aquí contiene estas palabras.</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Ayuda</translation>
+        </message>
+        <message>
+            <source>Keys of this page</source>
+            <translation>Teclas de esta página</translation>
+        </message>
+        <message>
+            <source>Keys everywhere</source>
+            <translation>Teclas en todas las páginas</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>Menú</translation>
+        </message>
+        <message>
+            <source>Without a connection: connect to the controller on the filled button</source>
+            <translation>Sin conexión: conectar con el controlador del botón relleno</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>Páginas</translation>
+        </message>
+        <message>
+            <source>Live: read within its last three turns.</source>
+            <translation>En vivo: leído en sus últimas tres rondas de lectura.</translation>
+        </message>
+        <message>
+            <source>Stale</source>
+            <translation>Desactualizado</translation>
+        </message>
+        <message>
+            <source>Stale: read once, too long ago. The tool tip says when. It is not what the robot does now.</source>
+            <translation>Desactualizado: leído una vez, hace demasiado tiempo. La información emergente indica cuándo. No es lo que el robot hace ahora.</translation>
+        </message>
+        <message>
+            <source>Unknown: not read on this connection. It is never shown as 0.</source>
+            <translation>Desconocido: no leído en esta conexión. Nunca se muestra como 0.</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>Rechazado</translation>
+        </message>
+        <message>
+            <source>Refused: the controller does not tell it. The reason stands on the card or in the tool tip.</source>
+            <translation>Rechazado: el controlador no lo comunica. El motivo figura en la tarjeta o en la información emergente.</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>activado</translation>
+        </message>
+        <message>
+            <source>A filled square: on, or 1.</source>
+            <translation>Un cuadrado relleno: activado, o 1.</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>desactivado</translation>
+        </message>
+        <message>
+            <source>A hollow square: off, or 0.</source>
+            <translation>Un cuadrado hueco: desactivado, o 0.</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>en HOLD</translation>
+        </message>
+        <message>
+            <source>An amber triangle: error, hold, something not allowed or to be looked at.</source>
+            <translation>Un triángulo ámbar: error, HOLD, algo no permitido o que se debe revisar.</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>alarma</translation>
+        </message>
+        <message>
+            <source>A red square: an alarm.</source>
+            <translation>Un cuadrado rojo: una alarma.</translation>
+        </message>
+        <message>
+            <source>What the signs mean</source>
+            <translation>Qué significan los signos</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>Ejemplo</translation>
+        </message>
+        <message>
+            <source>An amber ground in a table: typed and staged, not sent yet. A red one: it reads back differently from what was written.</source>
+            <translation>Fondo ámbar en una tabla: escrito y preparado, aún no enviado. Fondo rojo: al volver a leer, el valor es diferente del escrito.</translation>
         </message>
     </context>
     <context>
@@ -1846,6 +2508,65 @@
         </message>
     </context>
     <context>
+        <name>dialogs::ReadinessSheet</name>
+        <message>
+            <source>Readiness — %1</source>
+            <translation>Disponibilidad — %1</translation>
+        </message>
+        <message>
+            <source>What %1 allows now</source>
+            <translation>Qué permite ahora %1</translation>
+        </message>
+        <message>
+            <source>Readiness</source>
+            <translation>Disponibilidad</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Copiar</translation>
+        </message>
+        <message>
+            <source>Copy the readiness and a diagnosis</source>
+            <translation>Copiar la disponibilidad y un diagnóstico</translation>
+        </message>
+        <message>
+            <source>As text for support, with a diagnosis of the link, which takes a moment.</source>
+            <translation>Como texto para el servicio de asistencia, con un diagnóstico del enlace, que tarda un momento.</translation>
+        </message>
+        <message>
+            <source>Test numbering…</source>
+            <translation>Probar la numeración…</translation>
+        </message>
+        <message>
+            <source>It needs a link to the controller.</source>
+            <translation>Se necesita un enlace con el controlador.</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1: what is hatched was read before.</source>
+            <translation>Comunicación perdida a las %1: lo que aparece rayado se leyó antes.</translation>
+        </message>
+        <message>
+            <source>%1 has not answered yet.</source>
+            <translation>%1 aún no ha respondido.</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is read.</source>
+            <translation>No conectado: no se lee nada.</translation>
+        </message>
+        <message>
+            <source>The status was not read just now.</source>
+            <translation>El estado no se ha leído recientemente.</translation>
+        </message>
+        <message>
+            <source>It is read live and changes nothing. HOLD works meanwhile: Pause key.</source>
+            <translation>Se lee en vivo y no cambia nada. HOLD sigue funcionando entretanto: tecla Pausa.</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>Copiado</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
@@ -1954,21 +2675,6 @@
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
             <translation>▲ No se pudo reponer el archivo. Compruebe el controlador.</translation>
-        </message>
-    </context>
-    <context>
-        <name>dialogs::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Atajos de teclado</translation>
-        </message>
-        <message>
-            <source>Page: %1</source>
-            <translation>Página: %1</translation>
-        </message>
-        <message>
-            <source>Menu</source>
-            <translation>Menú</translation>
         </message>
     </context>
     <context>
@@ -2681,6 +3387,10 @@
             <source>%1. %2</source>
             <translation>%1. %2</translation>
         </message>
+        <message>
+            <source>refused</source>
+            <translation>rechazado</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -2941,10 +3651,6 @@
         <message>
             <source>Cancel error accepted.</source>
             <translation>Cancelación del error aceptada.</translation>
-        </message>
-        <message>
-            <source>New alarm %1: %2</source>
-            <translation>Alarma nueva %1: %2</translation>
         </message>
     </context>
     <context>
@@ -3326,6 +4032,10 @@
             <source>Exporting to %1…</source>
             <translation>Exportando a %1…</translation>
         </message>
+        <message>
+            <source>Files are still being read for a backup or a comparison.</source>
+            <translation>Todavía se están leyendo archivos para una copia de seguridad o una comparación.</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>
@@ -3531,6 +4241,10 @@
             <source>Choose files on the right first.</source>
             <translation>Seleccione primero archivos a la derecha.</translation>
         </message>
+        <message>
+            <source>Files are still being transferred.</source>
+            <translation>Todavía se están transfiriendo archivos.</translation>
+        </message>
     </context>
     <context>
         <name>pages::GroupCard</name>
@@ -3607,14 +4321,6 @@
         <message>
             <source>Area of signals</source>
             <translation>Área de señales</translation>
-        </message>
-        <message>
-            <source>Go to</source>
-            <translation>Ir a</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>Ir a…  Ctrl+G</translation>
         </message>
         <message>
             <source>Watched signals</source>
@@ -4284,37 +4990,6 @@
         </message>
     </context>
     <context>
-        <name>pages::NotConnectedPanel</name>
-        <message>
-            <source>Connect to %1</source>
-            <translation>Conectar con %1</translation>
-        </message>
-        <message>
-            <source>Another controller…</source>
-            <translation>Otro controlador…</translation>
-        </message>
-        <message>
-            <source>Connect…</source>
-            <translation>Conectar…</translation>
-        </message>
-        <message>
-            <source>Open the demo</source>
-            <translation>Abrir la demo</translation>
-        </message>
-        <message>
-            <source>Not connected</source>
-            <translation>No conectado</translation>
-        </message>
-        <message>
-            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
-            <translation>No se lee ni se muestra nada. Conéctese con un controlador de robot de su red por su nombre o dirección; su servidor Ethernet debe estar activado.</translation>
-        </message>
-        <message>
-            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
-            <translation>Al conectar solo se lee. Si no hay un robot a mano, la demo trae su propio controlador simulado.</translation>
-        </message>
-    </context>
-    <context>
         <name>pages::Offers</name>
         <message>
             <source>Before sending</source>
@@ -4707,6 +5382,53 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         </message>
     </context>
     <context>
+        <name>pages::StartPanel</name>
+        <message>
+            <source>Start</source>
+            <translation>Inicio</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>No conectado</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connecting only reads: nothing is written, started or moved by it.</source>
+            <translation>No se lee ni se muestra nada. Al conectar solo se lee: con ello no se escribe, inicia ni mueve nada.</translation>
+        </message>
+        <message>
+            <source>Connect to a controller…</source>
+            <translation>Conectar con un controlador…</translation>
+        </message>
+        <message>
+            <source>A controller in your network</source>
+            <translation>Un controlador de su red</translation>
+        </message>
+        <message>
+            <source>Enter its name or address. Pendesk checks step by step whether it answers, and says what is wrong where it does not.</source>
+            <translation>Introduzca su nombre o dirección. Pendesk comprueba paso a paso si responde e indica qué está mal si no lo hace.</translation>
+        </message>
+        <message>
+            <source>No robot at hand</source>
+            <translation>Sin un robot a mano</translation>
+        </message>
+        <message>
+            <source>The demo brings a simulated controller in this program. Everything can be tried with it, and no robot moves.</source>
+            <translation>La demo trae un controlador simulado dentro de este programa. Con él se puede probar todo, y ningún robot se mueve.</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>Abrir la demo</translation>
+        </message>
+        <message>
+            <source>Recent controllers</source>
+            <translation>Controladores recientes</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>Otro controlador…</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::StateCard</name>
         <message>
             <source>State</source>
@@ -5005,14 +5727,6 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
             <translation>Variables</translation>
         </message>
         <message>
-            <source>Go to</source>
-            <translation>Ir a</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>Ir a…  Ctrl+G</translation>
-        </message>
-        <message>
             <source>Import…</source>
             <translation>Importar…</translation>
         </message>
@@ -5071,6 +5785,13 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
             <source>%1 stays as it is: %2</source>
             <comment>variable: reason</comment>
             <translation>%1 queda como está: %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n staged value(s) were not applied.</source>
+            <translation>
+                <numerusform>No se aplicó %n valor preparado.</numerusform>
+                <numerusform>No se aplicaron %n valores preparados.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5155,6 +5876,71 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         </message>
     </context>
     <context>
+        <name>pages::start::RecentTile</name>
+        <message>
+            <source>no connection noted yet</source>
+            <translation>aún sin conexión registrada</translation>
+        </message>
+        <message>
+            <source>connected today %1</source>
+            <comment>the time</comment>
+            <translation>conectado hoy a las %1</translation>
+        </message>
+        <message>
+            <source>connected yesterday %1</source>
+            <comment>the time</comment>
+            <translation>conectado ayer a las %1</translation>
+        </message>
+        <message>
+            <source>connected %1 %2</source>
+            <comment>the date, the time</comment>
+            <translation>conectado el %1 a las %2</translation>
+        </message>
+        <message>
+            <source>Connect to %1</source>
+            <translation>Conectar con %1</translation>
+        </message>
+        <message>
+            <source>simulation</source>
+            <translation>simulación</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::start::SetupCard</name>
+        <message>
+            <source>What must be set on the pendant</source>
+            <translation>Qué se debe ajustar en la consola de programación</translation>
+        </message>
+        <message>
+            <source>Menus differ by model and software</source>
+            <translation>Los menús varían según el modelo y el software</translation>
+        </message>
+        <message>
+            <source>To be found</source>
+            <translation>Para poder encontrarlo</translation>
+        </message>
+        <message>
+            <source>The Ethernet server function (HSES) is on; it is an option of DX100, DX200 and FS100. The controller has an IPv4 address in the network of this computer, and no firewall between them drops UDP %1 and %2.</source>
+            <translation>La función de servidor Ethernet (HSES) está activada; es una opción en DX100, DX200 y FS100. El controlador tiene una dirección IPv4 en la red de este equipo, y ningún cortafuegos entre ambos descarta UDP %1 y %2.</translation>
+        </message>
+        <message>
+            <source>To take orders</source>
+            <translation>Para que acepte órdenes</translation>
+        </message>
+        <message>
+            <source>Only for starting, moving, resetting and files, not for reading: %1.</source>
+            <translation>Solo para iniciar, mover, restablecer y para archivos, no para leer: %1.</translation>
+        </message>
+        <message>
+            <source>To select and replace</source>
+            <translation>Para seleccionar y reemplazar</translation>
+        </message>
+        <message>
+            <source>For selecting jobs from here: %1. For replacing files that exist there: %2.</source>
+            <translation>Para seleccionar trabajos desde aquí: %1. Para reemplazar archivos que ya existen allí: %2.</translation>
+        </message>
+    </context>
+    <context>
         <name>pendesk</name>
         <message>
             <source>A teach and monitor desk for Yaskawa robot controllers.</source>
@@ -5204,20 +5990,20 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
             <source>--pictures needs a folder, and --demo, --host or --profile.</source>
             <translation>--pictures necesita una carpeta y --demo, --host o --profile.</translation>
         </message>
+        <message>
+            <source>Write one picture of all pages, light and dark, in English, German and Japanese, and end.</source>
+            <translation>Escribir una sola imagen de todas las páginas, en claro y oscuro, en inglés, alemán y japonés, y terminar.</translation>
+        </message>
+        <message>
+            <source>--contact-sheet needs a file, and --demo, --host or --profile.</source>
+            <translation>--contact-sheet necesita un archivo y --demo, --host o --profile.</translation>
+        </message>
     </context>
     <context>
         <name>pendesk::Pictures</name>
         <message>
-            <source>pendesk: the folder %1 cannot be made.</source>
-            <translation>pendesk: no se puede crear la carpeta %1.</translation>
-        </message>
-        <message>
             <source>not everything was read</source>
             <translation>no se leyó todo</translation>
-        </message>
-        <message>
-            <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk: ningún controlador en vivo en 5 s: %1.</translation>
         </message>
         <message>
             <source>pendesk: %1 cannot be written.</source>
@@ -5266,6 +6052,22 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         <message>
             <source>Pictures are in %1</source>
             <translation>Las imágenes están en %1</translation>
+        </message>
+        <message>
+            <source>the folder %1 cannot be made</source>
+            <translation>no se puede crear la carpeta %1</translation>
+        </message>
+        <message>
+            <source>no live controller within 5 s: %1</source>
+            <translation>ningún controlador en vivo en 5 s: %1</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written</source>
+            <translation>no se puede escribir %1</translation>
+        </message>
+        <message>
+            <source>pendesk: %1.</source>
+            <translation>pendesk: %1.</translation>
         </message>
     </context>
     <context>
@@ -6867,6 +7669,13 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
         </message>
     </context>
     <context>
+        <name>ui::Announcer</name>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>Alarma nueva %1: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ArmBadge</name>
         <message>
             <source>This controller is armed: press to disarm.</source>
@@ -7013,6 +7822,14 @@ HOLD es una retención por software a través de la red, no una función de segu
         <message>
             <source>%1 requests/s</source>
             <translation>%1 solicitudes/s</translation>
+        </message>
+        <message>
+            <source>Something is unfinished</source>
+            <translation>Hay algo sin terminar</translation>
+        </message>
+        <message>
+            <source>Go on and lose it</source>
+            <translation>Continuar y perderlo</translation>
         </message>
     </context>
     <context>
@@ -7571,6 +8388,17 @@ HOLD es una retención por software a través de la red, no una función de segu
                 <numerusform>y %n más</numerusform>
                 <numerusform>y %n más</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::GoToEdit</name>
+        <message>
+            <source>Go to</source>
+            <translation>Ir a</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>Ir a…  Ctrl+G</translation>
         </message>
     </context>
     <context>

@@ -44,16 +44,24 @@
             <translation>Copier le diagnostic</translation>
         </message>
         <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Raccourcis clavier</translation>
-        </message>
-        <message>
             <source>About Pendesk</source>
             <translation>À propos de Pendesk</translation>
         </message>
         <message>
             <source>Quit</source>
             <translation>Quitter</translation>
+        </message>
+        <message>
+            <source>Language and look…</source>
+            <translation>Langue et apparence…</translation>
+        </message>
+        <message>
+            <source>Readiness…</source>
+            <translation>Disponibilité…</translation>
+        </message>
+        <message>
+            <source>Help and shortcuts</source>
+            <translation>Aide et raccourcis</translation>
         </message>
     </context>
     <context>
@@ -644,10 +652,6 @@
             <translation>mettre les paramètres RS029 et RS214 à 1 : %1</translation>
         </message>
         <message>
-            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
-            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
-        </message>
-        <message>
             <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
             <translation>SETUP, FUNCTION COND. ou FUNCTION ENABLE</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>PARAMETER, RS (management mode)</source>
             <translation>PARAMETER, RS (mode de gestion)</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 sur un DX100)</translation>
         </message>
     </context>
     <context>
@@ -829,6 +837,302 @@
             <source>Journal</source>
             <translation>Journal</translation>
         </message>
+        <message>
+            <source>The state of the robot at a glance: mode, cycle, servo, run, the three causes of a hold, alarm, error and speed limit, the executing job, the position of R1, and how well the link works.</source>
+            <translation>L’état du robot en un coup d’œil : mode, cycle, servo, marche, les trois causes d’un HOLD, alarme, erreur et limite de vitesse, le job en exécution, la position de R1 et la qualité de la liaison.</translation>
+        </message>
+        <message>
+            <source>“What can I do now?” lists what may be ordered. ✓ may be tried, ✗ may not, with the first reason beside it.</source>
+            <translation>« Que puis-je faire maintenant ? » liste les ordres possibles. ✓ peut être essayé, ✗ ne le peut pas, avec le premier motif à côté.</translation>
+        </message>
+        <message>
+            <source>Bits that contradict each other, such as TEACH and PLAY, are shown side by side as they were received, under ▲.</source>
+            <translation>Les bits contradictoires, tels que TEACH et PLAY, sont affichés côte à côte tels que reçus, sous ▲.</translation>
+        </message>
+        <message>
+            <source>Copy beside the system information takes model and software to the clipboard. The right mouse button on a number adds it to the trend.</source>
+            <translation>« Copier », à côté des informations système, place le modèle et le logiciel dans le presse-papiers. Un clic droit sur un nombre permet de l’ajouter à la tendance.</translation>
+        </message>
+        <message>
+            <source>Up to four active alarms, the newest first, and the past alarms that were read from the controller.</source>
+            <translation>Jusqu’à quatre alarmes actives, la plus récente en premier, et les alarmes passées lues sur le contrôleur.</translation>
+        </message>
+        <message>
+            <source>Acknowledge is noted on this computer only: the robot does not hear of it.</source>
+            <translation>« Acquitter » n’est noté que sur cet ordinateur : le robot n’en est pas informé.</translation>
+        </message>
+        <message>
+            <source>Reset alarm and Cancel error are orders: they need REMOTE and the level Operate, and say before what they clear. After a reset that was accepted an alarm may stay: then its cause is still there.</source>
+            <translation>« Réinitialiser l’alarme » et « Effacer l’erreur » sont des ordres : ils exigent REMOTE et le niveau Opération, et indiquent d’avance ce qu’ils effacent. Après une réinitialisation acceptée, une alarme peut subsister : sa cause est alors encore présente.</translation>
+        </message>
+        <message>
+            <source>Read now fetches the history and keeps it in the journal, even after the controller has dropped it. Most frequent counts codes.</source>
+            <translation>« Lire maintenant » récupère l’historique et le conserve dans le journal, même une fois que le contrôleur l’a effacé. « Plus fréquentes » compte les codes.</translation>
+        </message>
+        <message>
+            <source>Notes keep what caused a code and what was done, on this computer.</source>
+            <translation>Les notes conservent sur cet ordinateur la cause d’un code et ce qui a été fait.</translation>
+        </message>
+        <message>
+            <source>All signals of one area, a group of eight in a row. A filled square is 1, a hollow one 0; a frame marks what changed in the last two seconds.</source>
+            <translation>Tous les signaux d’une zone, un groupe de huit par ligne. Un carré plein vaut 1, un carré vide 0 ; un cadre marque ce qui a changé dans les deux dernières secondes.</translation>
+        </message>
+        <message>
+            <source>Only network inputs can be written over HSES, by an engineer. A write reads the group, changes one bit, shows old and new, and reads back: eight bits travel together.</source>
+            <translation>Par HSES, seules les entrées réseau peuvent être écrites, au niveau Ingénierie. Une écriture lit le groupe, modifie un bit, affiche l’ancien et le nouveau, puis relit : huit bits sont transmis ensemble.</translation>
+        </message>
+        <message>
+            <source>Names come from the controller's IONAME.DAT. The right mouse button names a signal here, or puts it on the tab Watch.</source>
+            <translation>Les noms viennent du fichier IONAME.DAT du contrôleur. Un clic droit permet de nommer un signal ici ou de le placer dans l’onglet « Suivre ».</translation>
+        </message>
+        <message>
+            <source>Watch counts edges and draws the last minute. It reads four times a second: shorter pulses are not seen.</source>
+            <translation>« Suivre » compte les fronts et trace la dernière minute. La lecture a lieu quatre fois par seconde : les impulsions plus courtes ne sont pas vues.</translation>
+        </message>
+        <message>
+            <source>Go to takes #27010 as well as IN#(1).</source>
+            <translation>« Aller à » accepte #27010 aussi bien que IN#(1).</translation>
+        </message>
+        <message>
+            <source>The registers M000 to M999, as decimal, signed, hexadecimal or binary numbers. Only the rows in view are read.</source>
+            <translation>Les registres M000 à M999, en nombres décimaux, signés, hexadécimaux ou binaires. Seules les lignes affichées sont lues.</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written by an engineer; the others belong to the ladder.</source>
+            <translation>M000 à M559 peuvent être écrits au niveau Ingénierie ; les autres appartiennent au programme ladder.</translation>
+        </message>
+        <message>
+            <source>Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back.</source>
+            <translation>Dans l’éditeur, Entrée prépare une valeur : elle passe à l’ambre et rien n’est envoyé. « Appliquer » affiche l’ancienne et la nouvelle valeur de toutes les valeurs préparées, écrit chacune une fois et la relit.</translation>
+        </message>
+        <message>
+            <source>A value that reads back differently is red and stays. Undo last stages the values from before the last Apply.</source>
+            <translation>Une valeur dont la relecture diffère est en rouge et reste affichée. « Annuler le dernier » prépare les valeurs d’avant le dernier « Appliquer ».</translation>
+        </message>
+        <message>
+            <source>The variables B I D R S P BP and EX with their names, their value before, and when they changed. Only the rows in view are read.</source>
+            <translation>Les variables B I D R S P BP et EX avec leurs noms, leur valeur précédente et le moment de leur modification. Seules les lignes affichées sont lues.</translation>
+        </message>
+        <message>
+            <source>Nothing is written before the numbering was compared with the pendant: Verify… does that, and only reads.</source>
+            <translation>Rien n’est écrit avant que la numérotation ait été comparée avec le boîtier de programmation : « Vérifier… » le fait et ne fait que lire.</translation>
+        </message>
+        <message>
+            <source>Import and Export take CSV files; cells of a spreadsheet can be pasted. Both show first what would differ.</source>
+            <translation>« Importer… » et « Exporter… » utilisent des fichiers CSV ; les cellules d’un tableur peuvent être collées. Les deux affichent d’abord ce qui différerait.</translation>
+        </message>
+        <message>
+            <source>A watch page is a list of your own: the right mouse button puts rows of any tab on it.</source>
+            <translation>Une page de suivi est une liste personnelle : un clic droit permet d’y placer des lignes de n’importe quel onglet.</translation>
+        </message>
+        <message>
+            <source>The tool point in the base frame, with form and tool; the axes in pulses with following error, torque and temperature where the model tells them; and the path of the tool point.</source>
+            <translation>Le point outil dans le repère base, avec configuration et outil ; les axes en impulsions, avec erreur de poursuite, couple et température là où le modèle les communique ; et la trajectoire du point outil.</translation>
+        </message>
+        <message>
+            <source>Degrees of axes stand here only where the profile gives pulses per degree: the controller does not tell them.</source>
+            <translation>Les degrés des axes ne figurent ici que si le profil indique les impulsions par degré : le contrôleur ne les communique pas.</translation>
+        </message>
+        <message>
+            <source>Torque is shown as the controller sends it: its unit is stated nowhere.</source>
+            <translation>Le couple est affiché tel que le contrôleur l’envoie : son unité n’est indiquée nulle part.</translation>
+        </message>
+        <message>
+            <source>Min and max count from the last reset, while this page is read. Copy as text takes the table in view.</source>
+            <translation>Min. et max. comptent depuis la dernière réinitialisation, tant que cette page est lue. « Copier comme texte » reprend le tableau affiché.</translation>
+        </message>
+        <message>
+            <source>Control groups that the controller refuses have no tab; the line beside the tabs counts them.</source>
+            <translation>Les groupes d’axes que le contrôleur refuse n’ont pas d’onglet ; la ligne à côté des onglets les compte.</translation>
+        </message>
+        <message>
+            <source>Moves the robot by orders, in automatic operation. The pendant's enabling switch does not protect anyone here, and nobody may be inside the fence. It is off in TEACH, always.</source>
+            <translation>Déplace le robot par des ordres, en fonctionnement automatique. L’interrupteur de validation du boîtier de programmation ne protège personne ici, et personne ne doit se trouver à l’intérieur de l’enceinte de protection. Toujours désactivé en TEACH.</translation>
+        </message>
+        <message>
+            <source>Arming needs the level Operate, REMOTE and PLAY; moving needs Engineer too. Losing the focus, a minute without a key or the mouse, an alarm or a lost link disarms.</source>
+            <translation>Armer exige le niveau Opération, REMOTE et PLAY ; déplacer exige en plus le niveau Ingénierie. La perte du focus, une minute sans clavier ni souris, une alarme ou une liaison perdue désarme.</translation>
+        </message>
+        <message>
+            <source>Jog sends one bounded step after another while a button is held. Letting go sends no more steps and holds the one that runs; after a lost link the robot still ends its step.</source>
+            <translation>« Déplacement manuel » envoie un pas limité après l’autre tant qu’un bouton est maintenu. Relâcher le bouton n’envoie plus de pas et arrête par HOLD celui en cours ; après une perte de liaison, le robot termine quand même son pas.</translation>
+        </message>
+        <message>
+            <source>Move shows present place, target and change first. Rehearse… opens the sheet on which the move is confirmed.</source>
+            <translation>« Déplacer » affiche d’abord la position actuelle, la cible et la variation. « Contrôle préalable… » ouvre la fenêtre dans laquelle le mouvement est confirmé.</translation>
+        </message>
+        <message>
+            <source>What was sent without an answer is called unknown, never failed: look at the robot.</source>
+            <translation>Ce qui a été envoyé sans réponse est dit inconnu, jamais échoué : observer le robot.</translation>
+        </message>
+        <message>
+            <source>Draws any number over time. Drag it here from a page, choose “Add to trend” in its menu, or use Add signal….</source>
+            <translation>Trace n’importe quel nombre dans le temps. Le faire glisser ici depuis une page, choisir « Ajouter à la tendance » dans son menu ou utiliser « Ajouter un signal… ».</translation>
+        </message>
+        <message>
+            <source>Pause freezes the view; recording goes on. Gaps in a curve are times in which nothing was read.</source>
+            <translation>« Pause » fige l’affichage ; l’enregistrement continue. Les interruptions d’une courbe sont des moments où rien n’a été lu.</translation>
+        </message>
+        <message>
+            <source>The time box chooses how long a time is in view; under the cursor stand the values of that moment.</source>
+            <translation>La liste de durée choisit la durée affichée ; sous le curseur figurent les valeurs de cet instant.</translation>
+        </message>
+        <message>
+            <source>An incident keeps 60 s before and 20 s after an alarm came up. It can be opened here later.</source>
+            <translation>Un incident conserve 60 s avant et 20 s après l’apparition d’une alarme. Il peut être ouvert ici plus tard.</translation>
+        </message>
+        <message>
+            <source>Export CSV… writes what is in view, with times in UTC.</source>
+            <translation>« Exporter en CSV… » écrit ce qui est affiché, avec les heures en UTC.</translation>
+        </message>
+        <message>
+            <source>The jobs on the controller and the text of the chosen one, with the line that is executed. A banner says when the text may be old.</source>
+            <translation>Les jobs sur le contrôleur et le texte de celui choisi, avec la ligne en exécution. Une bannière signale quand le texte peut être périmé.</translation>
+        </message>
+        <message>
+            <source>“Selected” and “Executing” are two things: what a start would begin, and what runs.</source>
+            <translation>« Sélectionné » et « En exécution » sont deux choses distinctes : ce qu’un démarrage lancerait et ce qui est en marche.</translation>
+        </message>
+        <message>
+            <source>Start needs REMOTE, PLAY, servo on, the level Operate and an armed controller. Its sheet names controller, job and line, and the button works after one second. Nothing is ever started twice.</source>
+            <translation>« Démarrer » exige REMOTE, PLAY, Servo ON, le niveau Opération et un contrôleur armé. Sa fenêtre indique contrôleur, job et ligne, et le bouton n’est actif qu’après une seconde. Aucun démarrage n’est jamais envoyé deux fois.</translation>
+        </message>
+        <message>
+            <source>Buttons show what was read. “Pending” stands until the status agrees.</source>
+            <translation>Les boutons affichent ce qui a été lu. « En attente » reste affiché jusqu’à ce que l’état concorde.</translation>
+        </message>
+        <message>
+            <source>HOLD from here can be released here. A hold by the pendant is released there.</source>
+            <translation>Un HOLD envoyé d’ici peut être annulé ici. Un HOLD par le boîtier de programmation s’annule sur celui-ci.</translation>
+        </message>
+        <message>
+            <source>“Why not?” beside a button lists all its conditions.</source>
+            <translation>« Pourquoi pas ? » à côté d’un bouton liste toutes ses conditions.</translation>
+        </message>
+        <message>
+            <source>Files of this computer on the left, of the controller on the right, by type.</source>
+            <translation>Les fichiers de cet ordinateur à gauche, ceux du contrôleur à droite, par type.</translation>
+        </message>
+        <message>
+            <source>Fetch only reads. Send and Delete are for engineers and need REMOTE on.</source>
+            <translation>« Récupérer » ne fait que lire. « Envoyer » et « Supprimer » sont réservés au niveau Ingénierie et exigent que REMOTE soit activé.</translation>
+        </message>
+        <message>
+            <source>A file that exists already is asked about: compare it, replace it, or leave it, which is the default. A file cut off half way never replaces a good one.</source>
+            <translation>Si un fichier existe déjà, une question est posée : le comparer, le remplacer ou le laisser tel quel, choix par défaut. Un fichier interrompu en cours de transfert ne remplace jamais un fichier correct.</translation>
+        </message>
+        <message>
+            <source>Before a job is sent its text is checked, and afterwards it is read back and compared.</source>
+            <translation>Avant l’envoi d’un job, son texte est vérifié ; ensuite, il est relu et comparé.</translation>
+        </message>
+        <message>
+            <source>Transfers lists every file with its bytes and state. Retry failed sends none that was finished.</source>
+            <translation>« Transferts » liste chaque fichier avec ses octets et son état. « Relancer les échecs » n’envoie aucun fichier déjà terminé.</translation>
+        </message>
+        <message>
+            <source>Backups of this controller, the newest first, with the files that are missing in each. ▲ marks one that is not whole.</source>
+            <translation>Les sauvegardes de ce contrôleur, la plus récente en premier, avec les fichiers qui manquent dans chacune. ▲ marque une sauvegarde incomplète.</translation>
+        </message>
+        <message>
+            <source>Back up now reads every file into a new folder with a checksum of each. A file that fails does not stop the rest.</source>
+            <translation>« Sauvegarder maintenant » lit chaque fichier dans un nouveau dossier, avec une somme de contrôle pour chacun. Un fichier en échec n’arrête pas les autres.</translation>
+        </message>
+        <message>
+            <source>Verify reads every byte again. Compare finds what differs from another backup or from the controller now; dates and counters are left out, and the page says which.</source>
+            <translation>« Vérifier » relit chaque octet. « Comparer » trouve ce qui diffère d’une autre sauvegarde ou du contrôleur à l’instant présent ; les dates et les compteurs sont exclus, et la page indique lesquels.</translation>
+        </message>
+        <message>
+            <source>Restore… plans first, makes a fresh backup, sends what changed, and reads it back. It needs an engineer and REMOTE, and no job may run.</source>
+            <translation>« Restaurer… » planifie d’abord, crée une nouvelle sauvegarde, envoie ce qui a changé et le relit. Cela exige le niveau Ingénierie et REMOTE, et aucun job ne doit être en marche.</translation>
+        </message>
+        <message>
+            <source>Old backups go by number and age as set below the list, never the last good one or a pinned one.</source>
+            <translation>Les anciennes sauvegardes sont supprimées selon le nombre et l’âge réglés sous la liste, jamais la dernière correcte ni une sauvegarde épinglée.</translation>
+        </message>
+        <message>
+            <source>Everything that was tried from here: writes, starts, moves, servo, files, and what was refused or withheld, with user, old and new value, and the controller's answer.</source>
+            <translation>Tout ce qui a été tenté d’ici : écritures, démarrages, mouvements, servo, fichiers, ainsi que ce qui a été refusé ou non envoyé, avec l’utilisateur, l’ancienne et la nouvelle valeur, et la réponse du contrôleur.</translation>
+        </message>
+        <message>
+            <source>“Unknown” means that no answer came: it may have happened.</source>
+            <translation>« Inconnu » signifie qu’aucune réponse n’est arrivée : l’action a pu avoir lieu.</translation>
+        </message>
+        <message>
+            <source>Filter by controller, kind, time and outcome, or search in all texts. Older records come when scrolling down.</source>
+            <translation>Filtrer par contrôleur, type, heure et résultat, ou rechercher dans tous les textes. Les entrées plus anciennes apparaissent en faisant défiler vers le bas.</translation>
+        </message>
+        <message>
+            <source>The journal is kept on this computer for all controllers and can be read without a connection. Export writes what the filter shows.</source>
+            <translation>Le journal est conservé sur cet ordinateur pour tous les contrôleurs et peut être lu sans connexion. « Exporter… » écrit ce que le filtre affiche.</translation>
+        </message>
+        <message>
+            <source>Go to a signal</source>
+            <translation>Aller à un signal</translation>
+        </message>
+        <message>
+            <source>Write the signal (network inputs)</source>
+            <translation>Écrire le signal (entrées réseau)</translation>
+        </message>
+        <message>
+            <source>On the tab Watch: watch the signal no longer</source>
+            <translation>Dans l’onglet « Suivre » : ne plus suivre le signal</translation>
+        </message>
+        <message>
+            <source>Go to a register</source>
+            <translation>Aller à un registre</translation>
+        </message>
+        <message>
+            <source>Open the editor; in it: stage the value</source>
+            <translation>Ouvrir l’éditeur ; dans celui-ci : préparer la valeur</translation>
+        </message>
+        <message>
+            <source>Discard the staged value</source>
+            <translation>Abandonner la valeur préparée</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows</source>
+            <translation>Copier les lignes choisies</translation>
+        </message>
+        <message>
+            <source>Paste cells: they are staged after a preview</source>
+            <translation>Coller des cellules : elles sont préparées après un aperçu</translation>
+        </message>
+        <message>
+            <source>Go to a variable</source>
+            <translation>Aller à une variable</translation>
+        </message>
+        <message>
+            <source>Held on a jog button: steps, if keyboard jog was switched on</source>
+            <translation>Maintenu sur un bouton de déplacement manuel : pas successifs, si le déplacement manuel au clavier a été activé</translation>
+        </message>
+        <message>
+            <source>In the sheet of the move, after typing its words: move</source>
+            <translation>Dans la fenêtre du mouvement, après avoir saisi son texte : déplacer</translation>
+        </message>
+        <message>
+            <source>In the plot: move the cursor</source>
+            <translation>Dans la courbe : déplacer le curseur</translation>
+        </message>
+        <message>
+            <source>In the plot: cursor to the oldest or newest time in view</source>
+            <translation>Dans la courbe : placer le curseur sur l’instant affiché le plus ancien ou le plus récent</translation>
+        </message>
+        <message>
+            <source>In the plot: take the cursor away</source>
+            <translation>Dans la courbe : retirer le curseur</translation>
+        </message>
+        <message>
+            <source>In the list of signals: remove it from the trend</source>
+            <translation>Dans la liste des signaux : retirer le signal de la tendance</translation>
+        </message>
+        <message>
+            <source>In the start sheet, after typing its words: start</source>
+            <translation>Dans la fenêtre de démarrage, après avoir saisi son texte : démarrer</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows of the list with the focus</source>
+            <translation>Copier les lignes choisies de la liste qui a le focus</translation>
+        </message>
     </context>
     <context>
         <name>QFileDialog</name>
@@ -839,6 +1143,226 @@
         <message>
             <source>JSON (*.json)</source>
             <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Readiness</name>
+        <message>
+            <source>A signal group and a B variable were asked for: %1.</source>
+            <translation>Un groupe de signaux et une variable B ont été demandés : %1.</translation>
+        </message>
+        <message>
+            <source>A signal group and a B variable are asked for while this sheet is open. Writing needs no REMOTE; whether data are protected cannot be read.</source>
+            <translation>Un groupe de signaux et une variable B sont demandés tant que cette fenêtre est ouverte. L’écriture n’exige pas REMOTE ; on ne peut pas lire si des données sont protégées.</translation>
+        </message>
+        <message>
+            <source>The software version, which tells the model, was not read yet.</source>
+            <translation>La version du logiciel, qui indique le modèle, n’a pas encore été lue.</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but %2 is the software of a %3.</source>
+            <translation>Le profil indique %1, mais %2 est le logiciel d’un %3.</translation>
+        </message>
+        <message>
+            <source>The software %1 does not tell the model. The ranges are those of the profile's %2.</source>
+            <translation>Le logiciel %1 n’indique pas le modèle. Les plages sont celles du %2 du profil.</translation>
+        </message>
+        <message>
+            <source>The software %1 is that of a %2. Its ranges come from a table, not from the controller.</source>
+            <translation>Le logiciel %1 est celui d’un %2. Ses plages viennent d’une table, pas du contrôleur.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was refused: %1.</source>
+            <translation>Le dernier HOLD a été refusé : %1.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was confirmed by the status. It is a software hold, no emergency stop.</source>
+            <translation>Le dernier HOLD a été confirmé par l’état. C’est un HOLD logiciel, pas un arrêt d’urgence.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was sent, and the status did not confirm it.</source>
+            <translation>Le dernier HOLD a été envoyé, et l’état ne l’a pas confirmé.</translation>
+        </message>
+        <message>
+            <source>It needs neither REMOTE nor an access level, and was not tried. It is a software hold, no emergency stop.</source>
+            <translation>Il n’exige ni REMOTE ni niveau d’accès et n’a pas été essayé. C’est un HOLD logiciel, pas un arrêt d’urgence.</translation>
+        </message>
+        <message>
+            <source>A list of jobs was asked for at port %1: %2.</source>
+            <translation>Une liste des jobs a été demandée au port %1 : %2.</translation>
+        </message>
+        <message>
+            <source>A list of jobs is asked for at port %1.</source>
+            <translation>Une liste des jobs est demandée au port %1.</translation>
+        </message>
+        <message>
+            <source>Port %1 lists the jobs. Sending and deleting files need REMOTE.</source>
+            <translation>Le port %1 liste les jobs. L’envoi et la suppression de fichiers exigent REMOTE.</translation>
+        </message>
+        <message>
+            <source>This simulation has B000 at number %1 on the network.</source>
+            <translation>Cette simulation a B000 au numéro %1 sur le réseau.</translation>
+        </message>
+        <message>
+            <source>The software version, with which it was compared, was not read yet.</source>
+            <translation>La version du logiciel avec laquelle la comparaison a été faite n’a pas encore été lue.</translation>
+        </message>
+        <message>
+            <source>It was compared with software %1, but %2 runs now: variables are not written before it is compared again.</source>
+            <translation>La comparaison a été faite avec le logiciel %1, mais c’est %2 qui est exécuté maintenant : les variables ne sont pas écrites avant une nouvelle comparaison.</translation>
+        </message>
+        <message>
+            <source>Whether B000 is number 0 or 1 on the network is unverified; variables are not written.</source>
+            <translation>On n’a pas vérifié si B000 porte le numéro 0 ou 1 sur le réseau ; les variables ne sont pas écrites.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1: number 0 on the network is B000.</source>
+            <translation>Comparé avec le boîtier de programmation le %1 : le numéro 0 sur le réseau est B000.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1, shifted: number 1 on the network is B000.</source>
+            <translation>Comparé avec le boîtier de programmation le %1, décalé : le numéro 1 sur le réseau est B000.</translation>
+        </message>
+        <message>
+            <source>The controller does not answer any more. Reading resumes by itself.</source>
+            <translation>Le contrôleur ne répond plus. La lecture reprend automatiquement.</translation>
+        </message>
+        <message>
+            <source>The controller tells its status and system information. Reading needs no REMOTE.</source>
+            <translation>Le contrôleur communique son état et ses informations système. La lecture n’exige pas REMOTE.</translation>
+        </message>
+        <message>
+            <source>Orders are taken in command remote alone: start, select, reset, cycle, servo on.</source>
+            <translation>Les ordres ne sont acceptés qu’en CMD REMOTE : démarrage, sélection, réinitialisation, cycle, Servo ON.</translation>
+        </message>
+        <message>
+            <source>It needs REMOTE, and that no job runs.</source>
+            <translation>Il faut REMOTE, et qu’aucun job ne soit en marche.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY, REMOTE, servo on and a job, and nothing that holds the robot.</source>
+            <translation>Il faut PLAY, REMOTE, Servo ON et un job, et que rien ne maintienne le robot en HOLD.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY and REMOTE. Servo off can always be ordered from here; whether it is taken without REMOTE is up to the controller.</source>
+            <translation>Il faut PLAY et REMOTE. Servo OFF peut toujours être ordonné d’ici ; c’est le contrôleur qui décide s’il l’accepte sans REMOTE.</translation>
+        </message>
+        <message>
+            <source>They need what a start needs, but for the job, and a model that knows them.</source>
+            <translation>Ils exigent ce qu’exige un démarrage, sauf le job, ainsi qu’un modèle qui les connaît.</translation>
+        </message>
+        <message>
+            <source>Sending a file that exists there needs REMOTE and two parameters.</source>
+            <translation>L’envoi d’un fichier qui y existe déjà exige REMOTE et deux paramètres.</translation>
+        </message>
+        <message>
+            <source>Reading</source>
+            <translation>Lecture</translation>
+        </message>
+        <message>
+            <source>I/O and variables</source>
+            <translation>E/S et variables</translation>
+        </message>
+        <message>
+            <source>Ranges of the model</source>
+            <translation>Plages du modèle</translation>
+        </message>
+        <message>
+            <source>Orders (REMOTE)</source>
+            <translation>Ordres (REMOTE)</translation>
+        </message>
+        <message>
+            <source>Selecting a job</source>
+            <translation>Sélection d’un job</translation>
+        </message>
+        <message>
+            <source>Starting a job</source>
+            <translation>Démarrage d’un job</translation>
+        </message>
+        <message>
+            <source>Switching servo on</source>
+            <translation>Activation du servo</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>Déplacement manuel et mouvement</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (logiciel)</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Fichiers</translation>
+        </message>
+        <message>
+            <source>Replacing files</source>
+            <translation>Remplacement de fichiers</translation>
+        </message>
+        <message>
+            <source>Numbering of variables</source>
+            <translation>Numérotation des variables</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>autorisé</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>non autorisé</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>inconnu</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>mesuré</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>supposé</translation>
+        </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>illisible</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>pas encore lu</translation>
+        </message>
+        <message>
+            <source>In the way: %1.</source>
+            <translation>Obstacles : %1.</translation>
+        </message>
+        <message>
+            <source>HSES does not tell whether this is so: %1.</source>
+            <translation>HSES n’indique pas si c’est le cas : %1.</translation>
+        </message>
+        <message>
+            <source>What helps: %1.</source>
+            <translation>Remède : %1.</translation>
+        </message>
+        <message>
+            <source>Diagnose… in the rail finds out at which step it fails.</source>
+            <translation>« Diagnostiquer… » dans la barre de navigation indique à quelle étape cela échoue.</translation>
+        </message>
+        <message>
+            <source>Correct the model in the profile (Connect…).</source>
+            <translation>Corriger le modèle dans le profil (« Connecter… »).</translation>
+        </message>
+        <message>
+            <source>Use the pendant.</source>
+            <translation>Utiliser le boîtier de programmation.</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, readiness of %2 (%3), %4, %5</source>
+            <translation>Pendesk %1, disponibilité de %2 (%3), %4, %5</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <comment>subject, allowance, evidence</comment>
+            <translation>%1 : %2, %3</translation>
         </message>
     </context>
     <context>
@@ -1035,6 +1559,37 @@
         </message>
     </context>
     <context>
+        <name>dialogs::AppearanceDialog</name>
+        <message>
+            <source>As the desktop</source>
+            <translation>Comme le bureau</translation>
+        </message>
+        <message>
+            <source>Language and look</source>
+            <translation>Langue et apparence</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Clair</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Sombre</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>&amp;Langue</translation>
+        </message>
+        <message>
+            <source>L&amp;ook</source>
+            <translation>&amp;Apparence</translation>
+        </message>
+        <message>
+            <source>Words of the robot and text from the controller stay as they are on the pendant.</source>
+            <translation>Les mots du robot et les textes du contrôleur restent tels qu’ils sont sur le boîtier de programmation.</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::ApplyDialog</name>
         <message>
             <source>Variable</source>
@@ -1162,6 +1717,113 @@
         <message>
             <source>Copied</source>
             <translation>Copié</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::HelpDialog</name>
+        <message>
+            <source>Help — %1</source>
+            <translation>Aide — %1</translation>
+        </message>
+        <message>
+            <source>Search in this help</source>
+            <translation>Rechercher dans cette aide</translation>
+        </message>
+        <message>
+            <source>Nothing here has these words.</source>
+            <translation>Rien ici ne contient ces mots.</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Aide</translation>
+        </message>
+        <message>
+            <source>Keys of this page</source>
+            <translation>Touches de cette page</translation>
+        </message>
+        <message>
+            <source>Keys everywhere</source>
+            <translation>Touches valables partout</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>Menu</translation>
+        </message>
+        <message>
+            <source>Without a connection: connect to the controller on the filled button</source>
+            <translation>Sans connexion : se connecter au contrôleur du bouton plein</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>Pages</translation>
+        </message>
+        <message>
+            <source>Live: read within its last three turns.</source>
+            <translation>En direct : lu au cours de ses trois derniers tours de lecture.</translation>
+        </message>
+        <message>
+            <source>Stale</source>
+            <translation>Périmé</translation>
+        </message>
+        <message>
+            <source>Stale: read once, too long ago. The tool tip says when. It is not what the robot does now.</source>
+            <translation>Périmé : lu une fois, il y a trop longtemps. L’infobulle indique quand. Ce n’est pas ce que le robot fait maintenant.</translation>
+        </message>
+        <message>
+            <source>Unknown: not read on this connection. It is never shown as 0.</source>
+            <translation>Inconnu : non lu sur cette connexion. N’est jamais affiché comme 0.</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>Refusé</translation>
+        </message>
+        <message>
+            <source>Refused: the controller does not tell it. The reason stands on the card or in the tool tip.</source>
+            <translation>Refusé : le contrôleur ne le communique pas. Le motif figure sur la carte ou dans l’infobulle.</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>on</translation>
+        </message>
+        <message>
+            <source>A filled square: on, or 1.</source>
+            <translation>Un carré plein : on, ou 1.</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>off</translation>
+        </message>
+        <message>
+            <source>A hollow square: off, or 0.</source>
+            <translation>Un carré vide : off, ou 0.</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>en HOLD</translation>
+        </message>
+        <message>
+            <source>An amber triangle: error, hold, something not allowed or to be looked at.</source>
+            <translation>Un triangle ambre : erreur, HOLD, une chose non autorisée ou à vérifier.</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>alarme</translation>
+        </message>
+        <message>
+            <source>A red square: an alarm.</source>
+            <translation>Un carré rouge : une alarme.</translation>
+        </message>
+        <message>
+            <source>What the signs mean</source>
+            <translation>Signification des signes</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>Exemple</translation>
+        </message>
+        <message>
+            <source>An amber ground in a table: typed and staged, not sent yet. A red one: it reads back differently from what was written.</source>
+            <translation>Un fond ambre dans un tableau : saisi et préparé, pas encore envoyé. Un fond rouge : la relecture diffère de ce qui a été écrit.</translation>
         </message>
     </context>
     <context>
@@ -1846,6 +2508,65 @@
         </message>
     </context>
     <context>
+        <name>dialogs::ReadinessSheet</name>
+        <message>
+            <source>Readiness — %1</source>
+            <translation>Disponibilité — %1</translation>
+        </message>
+        <message>
+            <source>What %1 allows now</source>
+            <translation>Ce que %1 permet maintenant</translation>
+        </message>
+        <message>
+            <source>Readiness</source>
+            <translation>Disponibilité</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Copier</translation>
+        </message>
+        <message>
+            <source>Copy the readiness and a diagnosis</source>
+            <translation>Copier la disponibilité et un diagnostic</translation>
+        </message>
+        <message>
+            <source>As text for support, with a diagnosis of the link, which takes a moment.</source>
+            <translation>Sous forme de texte pour l’assistance, avec un diagnostic de la liaison, qui prend un instant.</translation>
+        </message>
+        <message>
+            <source>Test numbering…</source>
+            <translation>Tester la numérotation…</translation>
+        </message>
+        <message>
+            <source>It needs a link to the controller.</source>
+            <translation>Il faut une liaison avec le contrôleur.</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1: what is hatched was read before.</source>
+            <translation>Communication perdue à %1 : ce qui est hachuré a été lu avant.</translation>
+        </message>
+        <message>
+            <source>%1 has not answered yet.</source>
+            <translation>%1 n’a pas encore répondu.</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is read.</source>
+            <translation>Non connecté : rien n’est lu.</translation>
+        </message>
+        <message>
+            <source>The status was not read just now.</source>
+            <translation>L’état n’a pas été lu récemment.</translation>
+        </message>
+        <message>
+            <source>It is read live and changes nothing. HOLD works meanwhile: Pause key.</source>
+            <translation>La lecture est en direct et ne modifie rien. HOLD reste possible : touche Pause.</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>Copié</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
@@ -1954,21 +2675,6 @@
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
             <translation>▲ Le fichier n’a pas pu être remis en place. Vérifier sur le contrôleur.</translation>
-        </message>
-    </context>
-    <context>
-        <name>dialogs::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Raccourcis clavier</translation>
-        </message>
-        <message>
-            <source>Page: %1</source>
-            <translation>Page : %1</translation>
-        </message>
-        <message>
-            <source>Menu</source>
-            <translation>Menu</translation>
         </message>
     </context>
     <context>
@@ -2681,6 +3387,10 @@
             <source>%1. %2</source>
             <translation>%1. %2</translation>
         </message>
+        <message>
+            <source>refused</source>
+            <translation>refusé</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -2941,10 +3651,6 @@
         <message>
             <source>Cancel error accepted.</source>
             <translation>Effacement de l’erreur accepté.</translation>
-        </message>
-        <message>
-            <source>New alarm %1: %2</source>
-            <translation>Nouvelle alarme %1 : %2</translation>
         </message>
     </context>
     <context>
@@ -3326,6 +4032,10 @@
             <source>Exporting to %1…</source>
             <translation>Exportation vers %1…</translation>
         </message>
+        <message>
+            <source>Files are still being read for a backup or a comparison.</source>
+            <translation>Des fichiers sont encore en cours de lecture pour une sauvegarde ou une comparaison.</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>
@@ -3531,6 +4241,10 @@
             <source>Choose files on the right first.</source>
             <translation>Choisir d’abord des fichiers à droite.</translation>
         </message>
+        <message>
+            <source>Files are still being transferred.</source>
+            <translation>Des fichiers sont encore en cours de transfert.</translation>
+        </message>
     </context>
     <context>
         <name>pages::GroupCard</name>
@@ -3607,14 +4321,6 @@
         <message>
             <source>Area of signals</source>
             <translation>Zone de signaux</translation>
-        </message>
-        <message>
-            <source>Go to</source>
-            <translation>Aller à</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>Aller à…  Ctrl+G</translation>
         </message>
         <message>
             <source>Watched signals</source>
@@ -4284,37 +4990,6 @@
         </message>
     </context>
     <context>
-        <name>pages::NotConnectedPanel</name>
-        <message>
-            <source>Connect to %1</source>
-            <translation>Se connecter à %1</translation>
-        </message>
-        <message>
-            <source>Another controller…</source>
-            <translation>Autre contrôleur…</translation>
-        </message>
-        <message>
-            <source>Connect…</source>
-            <translation>Connecter…</translation>
-        </message>
-        <message>
-            <source>Open the demo</source>
-            <translation>Ouvrir la démo</translation>
-        </message>
-        <message>
-            <source>Not connected</source>
-            <translation>Non connecté</translation>
-        </message>
-        <message>
-            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
-            <translation>Rien n’est lu et rien n’est affiché. Se connecter à un contrôleur de robot du réseau par son nom ou son adresse ; son serveur Ethernet doit être activé.</translation>
-        </message>
-        <message>
-            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
-            <translation>La connexion ne fait que lire. Si aucun robot n’est disponible, la démo fournit son propre contrôleur simulé.</translation>
-        </message>
-    </context>
-    <context>
         <name>pages::Offers</name>
         <message>
             <source>Before sending</source>
@@ -4707,6 +5382,53 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         </message>
     </context>
     <context>
+        <name>pages::StartPanel</name>
+        <message>
+            <source>Start</source>
+            <translation>Accueil</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>Non connecté</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connecting only reads: nothing is written, started or moved by it.</source>
+            <translation>Rien n’est lu et rien n’est affiché. La connexion ne fait que lire : elle n’écrit, ne démarre et ne déplace rien.</translation>
+        </message>
+        <message>
+            <source>Connect to a controller…</source>
+            <translation>Se connecter à un contrôleur…</translation>
+        </message>
+        <message>
+            <source>A controller in your network</source>
+            <translation>Un contrôleur du réseau</translation>
+        </message>
+        <message>
+            <source>Enter its name or address. Pendesk checks step by step whether it answers, and says what is wrong where it does not.</source>
+            <translation>Saisir son nom ou son adresse. Pendesk vérifie étape par étape s’il répond et, dans le cas contraire, indique ce qui ne va pas.</translation>
+        </message>
+        <message>
+            <source>No robot at hand</source>
+            <translation>Aucun robot disponible</translation>
+        </message>
+        <message>
+            <source>The demo brings a simulated controller in this program. Everything can be tried with it, and no robot moves.</source>
+            <translation>La démo fournit un contrôleur simulé dans ce programme. Tout peut être essayé avec lui, et aucun robot ne bouge.</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>Ouvrir la démo</translation>
+        </message>
+        <message>
+            <source>Recent controllers</source>
+            <translation>Contrôleurs récents</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>Autre contrôleur…</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::StateCard</name>
         <message>
             <source>State</source>
@@ -5005,14 +5727,6 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
             <translation>Variables</translation>
         </message>
         <message>
-            <source>Go to</source>
-            <translation>Aller à</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>Aller à…  Ctrl+G</translation>
-        </message>
-        <message>
             <source>Import…</source>
             <translation>Importer…</translation>
         </message>
@@ -5071,6 +5785,13 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
             <source>%1 stays as it is: %2</source>
             <comment>variable: reason</comment>
             <translation>%1 reste tel quel : %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n staged value(s) were not applied.</source>
+            <translation>
+                <numerusform>%n valeur préparée n’a pas été appliquée.</numerusform>
+                <numerusform>%n valeurs préparées n’ont pas été appliquées.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5155,6 +5876,71 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         </message>
     </context>
     <context>
+        <name>pages::start::RecentTile</name>
+        <message>
+            <source>no connection noted yet</source>
+            <translation>aucune connexion notée pour l’instant</translation>
+        </message>
+        <message>
+            <source>connected today %1</source>
+            <comment>the time</comment>
+            <translation>connecté aujourd’hui à %1</translation>
+        </message>
+        <message>
+            <source>connected yesterday %1</source>
+            <comment>the time</comment>
+            <translation>connecté hier à %1</translation>
+        </message>
+        <message>
+            <source>connected %1 %2</source>
+            <comment>the date, the time</comment>
+            <translation>connecté le %1 à %2</translation>
+        </message>
+        <message>
+            <source>Connect to %1</source>
+            <translation>Se connecter à %1</translation>
+        </message>
+        <message>
+            <source>simulation</source>
+            <translation>simulation</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::start::SetupCard</name>
+        <message>
+            <source>What must be set on the pendant</source>
+            <translation>Ce qui doit être réglé sur le boîtier de programmation</translation>
+        </message>
+        <message>
+            <source>Menus differ by model and software</source>
+            <translation>Les menus diffèrent selon le modèle et le logiciel</translation>
+        </message>
+        <message>
+            <source>To be found</source>
+            <translation>Pour être trouvé</translation>
+        </message>
+        <message>
+            <source>The Ethernet server function (HSES) is on; it is an option of DX100, DX200 and FS100. The controller has an IPv4 address in the network of this computer, and no firewall between them drops UDP %1 and %2.</source>
+            <translation>La fonction serveur Ethernet (HSES) est activée ; c’est une option des DX100, DX200 et FS100. Le contrôleur a une adresse IPv4 dans le réseau de cet ordinateur, et aucun pare-feu entre les deux ne bloque UDP %1 et %2.</translation>
+        </message>
+        <message>
+            <source>To take orders</source>
+            <translation>Pour accepter des ordres</translation>
+        </message>
+        <message>
+            <source>Only for starting, moving, resetting and files, not for reading: %1.</source>
+            <translation>Seulement pour démarrer, déplacer, réinitialiser et pour les fichiers, pas pour lire : %1.</translation>
+        </message>
+        <message>
+            <source>To select and replace</source>
+            <translation>Pour sélectionner et remplacer</translation>
+        </message>
+        <message>
+            <source>For selecting jobs from here: %1. For replacing files that exist there: %2.</source>
+            <translation>Pour sélectionner des jobs d’ici : %1. Pour remplacer des fichiers qui y existent déjà : %2.</translation>
+        </message>
+    </context>
+    <context>
         <name>pendesk</name>
         <message>
             <source>A teach and monitor desk for Yaskawa robot controllers.</source>
@@ -5204,20 +5990,20 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
             <source>--pictures needs a folder, and --demo, --host or --profile.</source>
             <translation>--pictures exige un dossier, et --demo, --host ou --profile.</translation>
         </message>
+        <message>
+            <source>Write one picture of all pages, light and dark, in English, German and Japanese, and end.</source>
+            <translation>Écrire une image de toutes les pages, claires et sombres, en anglais, allemand et japonais, et terminer.</translation>
+        </message>
+        <message>
+            <source>--contact-sheet needs a file, and --demo, --host or --profile.</source>
+            <translation>--contact-sheet exige un fichier, et --demo, --host ou --profile.</translation>
+        </message>
     </context>
     <context>
         <name>pendesk::Pictures</name>
         <message>
-            <source>pendesk: the folder %1 cannot be made.</source>
-            <translation>pendesk : le dossier %1 ne peut pas être créé.</translation>
-        </message>
-        <message>
             <source>not everything was read</source>
             <translation>tout n’a pas été lu</translation>
-        </message>
-        <message>
-            <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk : aucun contrôleur en direct en 5 s : %1.</translation>
         </message>
         <message>
             <source>pendesk: %1 cannot be written.</source>
@@ -5266,6 +6052,22 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         <message>
             <source>Pictures are in %1</source>
             <translation>Les images sont dans %1</translation>
+        </message>
+        <message>
+            <source>the folder %1 cannot be made</source>
+            <translation>le dossier %1 ne peut pas être créé</translation>
+        </message>
+        <message>
+            <source>no live controller within 5 s: %1</source>
+            <translation>aucun contrôleur en direct en 5 s : %1</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written</source>
+            <translation>%1 ne peut pas être écrit</translation>
+        </message>
+        <message>
+            <source>pendesk: %1.</source>
+            <translation>pendesk : %1.</translation>
         </message>
     </context>
     <context>
@@ -6867,6 +7669,13 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
         </message>
     </context>
     <context>
+        <name>ui::Announcer</name>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>Nouvelle alarme %1 : %2</translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ArmBadge</name>
         <message>
             <source>This controller is armed: press to disarm.</source>
@@ -7013,6 +7822,14 @@ HOLD est un HOLD logiciel par le réseau, pas une fonction de sécurité.</trans
         <message>
             <source>%1 requests/s</source>
             <translation>%1 requêtes/s</translation>
+        </message>
+        <message>
+            <source>Something is unfinished</source>
+            <translation>Quelque chose n’est pas terminé</translation>
+        </message>
+        <message>
+            <source>Go on and lose it</source>
+            <translation>Continuer malgré la perte</translation>
         </message>
     </context>
     <context>
@@ -7571,6 +8388,17 @@ HOLD est un HOLD logiciel par le réseau, pas une fonction de sécurité.</trans
                 <numerusform>et %n autre</numerusform>
                 <numerusform>et %n autres</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::GoToEdit</name>
+        <message>
+            <source>Go to</source>
+            <translation>Aller à</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>Aller à…  Ctrl+G</translation>
         </message>
     </context>
     <context>

@@ -44,16 +44,24 @@
             <translation>診断をコピー</translation>
         </message>
         <message>
-            <source>Keyboard shortcuts</source>
-            <translation>キーボードショートカット</translation>
-        </message>
-        <message>
             <source>About Pendesk</source>
             <translation>Pendeskについて</translation>
         </message>
         <message>
             <source>Quit</source>
             <translation>終了</translation>
+        </message>
+        <message>
+            <source>Language and look…</source>
+            <translation>言語と外観…</translation>
+        </message>
+        <message>
+            <source>Readiness…</source>
+            <translation>準備状態…</translation>
+        </message>
+        <message>
+            <source>Help and shortcuts</source>
+            <translation>ヘルプとショートカット</translation>
         </message>
     </context>
     <context>
@@ -644,10 +652,6 @@
             <translation>パラメータRS029とRS214を1に設定してください: %1</translation>
         </message>
         <message>
-            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
-            <translation>IN/OUT、PSEUDO INPUT SIG、#82015</translation>
-        </message>
-        <message>
             <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
             <translation>SETUP、FUNCTION COND.またはFUNCTION ENABLE</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>PARAMETER, RS (management mode)</source>
             <translation>PARAMETER、RS (管理モード)</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)</source>
+            <translation>IN/OUT、PSEUDO INPUT SIG、CMD REMOTE SEL (DX100では#82015)</translation>
         </message>
     </context>
     <context>
@@ -828,6 +836,302 @@
             <source>Journal</source>
             <translation>操作履歴</translation>
         </message>
+        <message>
+            <source>The state of the robot at a glance: mode, cycle, servo, run, the three causes of a hold, alarm, error and speed limit, the executing job, the position of R1, and how well the link works.</source>
+            <translation>ロボットの状態の一覧です。モード、サイクル、サーボ、運転、3つのホールド元、アラーム、エラー、速度制限、実行中のジョブ、R1の位置、リンクの良否を表示します。</translation>
+        </message>
+        <message>
+            <source>“What can I do now?” lists what may be ordered. ✓ may be tried, ✗ may not, with the first reason beside it.</source>
+            <translation>「今できること」は、出せる指令の一覧です。✓は試みることができ、✗はできません。✗の横に最初の理由を示します。</translation>
+        </message>
+        <message>
+            <source>Bits that contradict each other, such as TEACH and PLAY, are shown side by side as they were received, under ▲.</source>
+            <translation>TEACHとPLAYのように互いに矛盾するビットは、受信したまま▲を付けて並べて表示します。</translation>
+        </message>
+        <message>
+            <source>Copy beside the system information takes model and software to the clipboard. The right mouse button on a number adds it to the trend.</source>
+            <translation>システム情報の横の「コピー」は、機種とソフトウェアをクリップボードにコピーします。数値を右クリックすると、トレンドに追加できます。</translation>
+        </message>
+        <message>
+            <source>Up to four active alarms, the newest first, and the past alarms that were read from the controller.</source>
+            <translation>発生中のアラーム (最大4つ、新しい順) と、コントローラから読み出した過去のアラームです。</translation>
+        </message>
+        <message>
+            <source>Acknowledge is noted on this computer only: the robot does not hear of it.</source>
+            <translation>「確認」はこのコンピュータだけに記録します。ロボットには伝わりません。</translation>
+        </message>
+        <message>
+            <source>Reset alarm and Cancel error are orders: they need REMOTE and the level Operate, and say before what they clear. After a reset that was accepted an alarm may stay: then its cause is still there.</source>
+            <translation>「アラームリセット」と「エラーキャンセル」は指令です。REMOTEとレベル「操作」が必要で、何を解除するかを事前に示します。リセットが受け付けられてもアラームが残ることがあります。その場合は原因がまだ残っています。</translation>
+        </message>
+        <message>
+            <source>Read now fetches the history and keeps it in the journal, even after the controller has dropped it. Most frequent counts codes.</source>
+            <translation>「今すぐ読出し」は履歴を読み出し、操作履歴に保存します。コントローラから消えた後も残ります。「発生頻度順」はコードごとに回数を数えます。</translation>
+        </message>
+        <message>
+            <source>Notes keep what caused a code and what was done, on this computer.</source>
+            <translation>「メモ」は、コードの原因と処置内容をこのコンピュータに保存します。</translation>
+        </message>
+        <message>
+            <source>All signals of one area, a group of eight in a row. A filled square is 1, a hollow one 0; a frame marks what changed in the last two seconds.</source>
+            <translation>1つの範囲のすべての信号を、8つのグループごとに1行で表示します。塗りつぶしの四角は1、中空の四角は0です。枠は直近2秒間に変わったものを示します。</translation>
+        </message>
+        <message>
+            <source>Only network inputs can be written over HSES, by an engineer. A write reads the group, changes one bit, shows old and new, and reads back: eight bits travel together.</source>
+            <translation>HSESで書き込めるのはネットワーク入力だけで、レベル「技術者」が必要です。書込みでは、グループを読み出し、1ビットを変え、現在の値と新しい値を表示し、書き込んだ後に読み戻します。8ビットは一括で送信します。</translation>
+        </message>
+        <message>
+            <source>Names come from the controller's IONAME.DAT. The right mouse button names a signal here, or puts it on the tab Watch.</source>
+            <translation>名称はコントローラのIONAME.DATから取得します。信号を右クリックすると、ここで名称を付けるか、「ウォッチ」タブに追加できます。</translation>
+        </message>
+        <message>
+            <source>Watch counts edges and draws the last minute. It reads four times a second: shorter pulses are not seen.</source>
+            <translation>「ウォッチ」はエッジを数え、直近1分間を描画します。読出しは毎秒4回です。それより短いパルスは検出しません。</translation>
+        </message>
+        <message>
+            <source>Go to takes #27010 as well as IN#(1).</source>
+            <translation>「ジャンプ」には、#27010の形でもIN#(1)の形でも入力できます。</translation>
+        </message>
+        <message>
+            <source>The registers M000 to M999, as decimal, signed, hexadecimal or binary numbers. Only the rows in view are read.</source>
+            <translation>レジスタM000からM999までを、10進、符号付き、16進、2進で表示します。表示中の行だけを読み出します。</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written by an engineer; the others belong to the ladder.</source>
+            <translation>M000からM559までは、レベル「技術者」で書き込めます。ほかはラダーが使います。</translation>
+        </message>
+        <message>
+            <source>Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back.</source>
+            <translation>入力欄でEnterを押すと、値を書込み予定に追加します。値は橙色になり、まだ何も送信しません。「適用」は、書込み予定のすべての値の現在の値と新しい値を表示し、それぞれ1回だけ書き込み、読み戻します。</translation>
+        </message>
+        <message>
+            <source>A value that reads back differently is red and stays. Undo last stages the values from before the last Apply.</source>
+            <translation>書き込んだ値と異なる値が読み戻された場合、その値は赤で残ります。「直前の書込みを戻す」は、直前の「適用」の前の値を書込み予定に追加します。</translation>
+        </message>
+        <message>
+            <source>The variables B I D R S P BP and EX with their names, their value before, and when they changed. Only the rows in view are read.</source>
+            <translation>変数B I D R S P BP EXを、名称、前回の値、変更時刻とともに表示します。表示中の行だけを読み出します。</translation>
+        </message>
+        <message>
+            <source>Nothing is written before the numbering was compared with the pendant: Verify… does that, and only reads.</source>
+            <translation>変数番号の方式をペンダントと比較するまで、何も書き込みません。「照合…」がその比較を行います。読出しだけを行います。</translation>
+        </message>
+        <message>
+            <source>Import and Export take CSV files; cells of a spreadsheet can be pasted. Both show first what would differ.</source>
+            <translation>「インポート」と「エクスポート」はCSVファイルを扱います。表計算ソフトのセルを貼り付けることもできます。インポートと貼付けでは、異なる内容を先に表示します。</translation>
+        </message>
+        <message>
+            <source>A watch page is a list of your own: the right mouse button puts rows of any tab on it.</source>
+            <translation>ウォッチページは自分で作る一覧です。どのタブの行も、右クリックで追加できます。</translation>
+        </message>
+        <message>
+            <source>The tool point in the base frame, with form and tool; the axes in pulses with following error, torque and temperature where the model tells them; and the path of the tool point.</source>
+            <translation>ベース座標の制御点と、その形態およびツール。パルスでの各軸と、機種が知らせる場合は位置偏差、トルク、温度。制御点の軌跡を表示します。</translation>
+        </message>
+        <message>
+            <source>Degrees of axes stand here only where the profile gives pulses per degree: the controller does not tell them.</source>
+            <translation>軸の角度 (度) は、プロファイルに1度あたりのパルス数がある場合だけ表示します。コントローラはこれを知らせません。</translation>
+        </message>
+        <message>
+            <source>Torque is shown as the controller sends it: its unit is stated nowhere.</source>
+            <translation>トルクはコントローラが送ったままの値です。単位はどこにも示されていません。</translation>
+        </message>
+        <message>
+            <source>Min and max count from the last reset, while this page is read. Copy as text takes the table in view.</source>
+            <translation>最小と最大は、最後のリセット以降、このページを読み出している間の値です。「テキストとしてコピー」は、表示中の表をコピーします。</translation>
+        </message>
+        <message>
+            <source>Control groups that the controller refuses have no tab; the line beside the tabs counts them.</source>
+            <translation>コントローラが拒否した制御グループにはタブがありません。タブの横の行にその数を示します。</translation>
+        </message>
+        <message>
+            <source>Moves the robot by orders, in automatic operation. The pendant's enabling switch does not protect anyone here, and nobody may be inside the fence. It is off in TEACH, always.</source>
+            <translation>自動運転で、指令によってロボットを動かします。ここではペンダントのイネーブルスイッチは誰も保護しません。安全柵の中に人がいてはいけません。TEACHでは常にオフです。</translation>
+        </message>
+        <message>
+            <source>Arming needs the level Operate, REMOTE and PLAY; moving needs Engineer too. Losing the focus, a minute without a key or the mouse, an alarm or a lost link disarms.</source>
+            <translation>動作許可にするには、レベル「操作」、REMOTE、PLAYが必要です。移動には、レベル「技術者」であることも必要です。フォーカスを失う、1分間キーもマウスも操作がない、アラームが発生する、通信が途絶する、のいずれかで動作許可は解除されます。</translation>
+        </message>
+        <message>
+            <source>Jog sends one bounded step after another while a button is held. Letting go sends no more steps and holds the one that runs; after a lost link the robot still ends its step.</source>
+            <translation>「ジョグ」は、ボタンを押している間、範囲を限ったステップを1つずつ続けて送信します。ボタンを離すと、以後のステップは送信せず、実行中のステップをホールドします。通信が途絶した場合、ロボットは実行中のステップを最後まで動きます。</translation>
+        </message>
+        <message>
+            <source>Move shows present place, target and change first. Rehearse… opens the sheet on which the move is confirmed.</source>
+            <translation>「移動」は、先に現在の位置、目標、変化を表示します。「事前確認…」は、移動の実行を確認する画面を開きます。</translation>
+        </message>
+        <message>
+            <source>What was sent without an answer is called unknown, never failed: look at the robot.</source>
+            <translation>送信して応答がないものは「不明」とし、失敗とは扱いません。ロボットを確認してください。</translation>
+        </message>
+        <message>
+            <source>Draws any number over time. Drag it here from a page, choose “Add to trend” in its menu, or use Add signal….</source>
+            <translation>任意の数値を時間に沿って描画します。ページからここへドラッグするか、そのメニューで「トレンドに追加」を選ぶか、「信号を追加…」を使ってください。</translation>
+        </message>
+        <message>
+            <source>Pause freezes the view; recording goes on. Gaps in a curve are times in which nothing was read.</source>
+            <translation>「一時停止」は表示を止めます。記録は続きます。曲線の途切れは、何も読み出していない時間です。</translation>
+        </message>
+        <message>
+            <source>The time box chooses how long a time is in view; under the cursor stand the values of that moment.</source>
+            <translation>「表示時間」の欄で、表示する時間の長さを選びます。カーソルの下に、その時点の値を表示します。</translation>
+        </message>
+        <message>
+            <source>An incident keeps 60 s before and 20 s after an alarm came up. It can be opened here later.</source>
+            <translation>インシデントは、アラーム発生の60秒前から20秒後までを保存します。後からここで開けます。</translation>
+        </message>
+        <message>
+            <source>Export CSV… writes what is in view, with times in UTC.</source>
+            <translation>「CSVエクスポート…」は、表示範囲をUTCの時刻で書き出します。</translation>
+        </message>
+        <message>
+            <source>The jobs on the controller and the text of the chosen one, with the line that is executed. A banner says when the text may be old.</source>
+            <translation>コントローラのジョブと、選んだジョブの内容を、実行中の行とともに表示します。内容が古い可能性があるときは、上部に表示で知らせます。</translation>
+        </message>
+        <message>
+            <source>“Selected” and “Executing” are two things: what a start would begin, and what runs.</source>
+            <translation>「選択中」と「実行中」は別のものです。「選択中」は起動したときに始まるジョブ、「実行中」は今運転しているジョブです。</translation>
+        </message>
+        <message>
+            <source>Start needs REMOTE, PLAY, servo on, the level Operate and an armed controller. Its sheet names controller, job and line, and the button works after one second. Nothing is ever started twice.</source>
+            <translation>「起動」には、REMOTE、PLAY、サーボオン、レベル「操作」、コントローラの動作許可が必要です。確認画面にコントローラ、ジョブ、行を表示し、ボタンは1秒後に有効になります。二重に起動することはありません。</translation>
+        </message>
+        <message>
+            <source>Buttons show what was read. “Pending” stands until the status agrees.</source>
+            <translation>ボタンは読み出した状態を示します。状態が一致するまで「処理中」と表示します。</translation>
+        </message>
+        <message>
+            <source>HOLD from here can be released here. A hold by the pendant is released there.</source>
+            <translation>ここからのHOLDは、ここで解除できます。ペンダントによるホールドは、ペンダントで解除します。</translation>
+        </message>
+        <message>
+            <source>“Why not?” beside a button lists all its conditions.</source>
+            <translation>ボタンの横の「できない理由は?」は、その条件をすべて表示します。</translation>
+        </message>
+        <message>
+            <source>Files of this computer on the left, of the controller on the right, by type.</source>
+            <translation>左にこのコンピュータのファイル、右にコントローラのファイルを、タイプごとに表示します。</translation>
+        </message>
+        <message>
+            <source>Fetch only reads. Send and Delete are for engineers and need REMOTE on.</source>
+            <translation>「取得」は読出しだけを行います。「送信」と「削除」にはレベル「技術者」が必要で、REMOTEがオンでなければなりません。</translation>
+        </message>
+        <message>
+            <source>A file that exists already is asked about: compare it, replace it, or leave it, which is the default. A file cut off half way never replaces a good one.</source>
+            <translation>ファイルがすでにある場合は、比較する、置き換える、そのままにする (既定) のどれにするかを確認します。途中で切れたファイルが正常なファイルを置き換えることはありません。</translation>
+        </message>
+        <message>
+            <source>Before a job is sent its text is checked, and afterwards it is read back and compared.</source>
+            <translation>ジョブを送信する前に内容を検査し、送信後に読み戻して比較します。</translation>
+        </message>
+        <message>
+            <source>Transfers lists every file with its bytes and state. Retry failed sends none that was finished.</source>
+            <translation>「転送」は、すべてのファイルをバイト数と状態とともに表示します。「失敗分を再試行」は、完了したファイルを送信しません。</translation>
+        </message>
+        <message>
+            <source>Backups of this controller, the newest first, with the files that are missing in each. ▲ marks one that is not whole.</source>
+            <translation>このコントローラのバックアップを新しい順に、それぞれに足りないファイルとともに表示します。▲は完全でないバックアップを示します。</translation>
+        </message>
+        <message>
+            <source>Back up now reads every file into a new folder with a checksum of each. A file that fails does not stop the rest.</source>
+            <translation>「今すぐバックアップ」は、すべてのファイルを新しいフォルダに読み出し、それぞれにチェックサムを付けます。失敗したファイルがあっても、残りは続けます。</translation>
+        </message>
+        <message>
+            <source>Verify reads every byte again. Compare finds what differs from another backup or from the controller now; dates and counters are left out, and the page says which.</source>
+            <translation>「検証」は、全バイトを読み直します。「比較」は、別のバックアップまたはコントローラの現在の内容との違いを調べます。日付とカウンタは除き、何を除いたかをページに表示します。</translation>
+        </message>
+        <message>
+            <source>Restore… plans first, makes a fresh backup, sends what changed, and reads it back. It needs an engineer and REMOTE, and no job may run.</source>
+            <translation>「復元…」は、先に計画を立て、新しいバックアップを作成し、変わったものを送信し、読み戻します。レベル「技術者」とREMOTEが必要で、ジョブの運転中は行えません。</translation>
+        </message>
+        <message>
+            <source>Old backups go by number and age as set below the list, never the last good one or a pinned one.</source>
+            <translation>古いバックアップは、一覧の下で設定した個数と期間に従って削除します。最後の良好なバックアップと固定したバックアップは削除しません。</translation>
+        </message>
+        <message>
+            <source>Everything that was tried from here: writes, starts, moves, servo, files, and what was refused or withheld, with user, old and new value, and the controller's answer.</source>
+            <translation>ここから試みたすべてのこと (書込み、起動、移動、サーボ、ファイル、および拒否されたものと送信しなかったもの) を、ユーザ、現在の値と新しい値、コントローラの応答とともに表示します。</translation>
+        </message>
+        <message>
+            <source>“Unknown” means that no answer came: it may have happened.</source>
+            <translation>「不明」は、応答がなかったことを示します。実行された可能性があります。</translation>
+        </message>
+        <message>
+            <source>Filter by controller, kind, time and outcome, or search in all texts. Older records come when scrolling down.</source>
+            <translation>コントローラ、内容、時刻、結果で絞り込むか、すべての文字列を検索します。下へスクロールすると古い記録を表示します。</translation>
+        </message>
+        <message>
+            <source>The journal is kept on this computer for all controllers and can be read without a connection. Export writes what the filter shows.</source>
+            <translation>操作履歴は、すべてのコントローラについてこのコンピュータに保存し、接続していなくても読めます。「エクスポート」は、絞り込みで表示しているものを書き出します。</translation>
+        </message>
+        <message>
+            <source>Go to a signal</source>
+            <translation>信号へジャンプ</translation>
+        </message>
+        <message>
+            <source>Write the signal (network inputs)</source>
+            <translation>信号の書込み (ネットワーク入力)</translation>
+        </message>
+        <message>
+            <source>On the tab Watch: watch the signal no longer</source>
+            <translation>「ウォッチ」タブで: 信号のウォッチをやめる</translation>
+        </message>
+        <message>
+            <source>Go to a register</source>
+            <translation>レジスタへジャンプ</translation>
+        </message>
+        <message>
+            <source>Open the editor; in it: stage the value</source>
+            <translation>入力欄を開く。入力欄で: 値を書込み予定に追加</translation>
+        </message>
+        <message>
+            <source>Discard the staged value</source>
+            <translation>書込み予定の値を破棄</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows</source>
+            <translation>選んだ行をコピー</translation>
+        </message>
+        <message>
+            <source>Paste cells: they are staged after a preview</source>
+            <translation>セルを貼付け: プレビューの後で書込み予定に追加</translation>
+        </message>
+        <message>
+            <source>Go to a variable</source>
+            <translation>変数へジャンプ</translation>
+        </message>
+        <message>
+            <source>Held on a jog button: steps, if keyboard jog was switched on</source>
+            <translation>ジョグボタンの上で押し続ける: ステップを実行 (キーボードでのジョグがオンの場合)</translation>
+        </message>
+        <message>
+            <source>In the sheet of the move, after typing its words: move</source>
+            <translation>移動の画面で、指定の語を入力した後: 移動</translation>
+        </message>
+        <message>
+            <source>In the plot: move the cursor</source>
+            <translation>プロットで: カーソルを動かす</translation>
+        </message>
+        <message>
+            <source>In the plot: cursor to the oldest or newest time in view</source>
+            <translation>プロットで: カーソルを表示範囲の最も古い時刻または最も新しい時刻へ移す</translation>
+        </message>
+        <message>
+            <source>In the plot: take the cursor away</source>
+            <translation>プロットで: カーソルを消す</translation>
+        </message>
+        <message>
+            <source>In the list of signals: remove it from the trend</source>
+            <translation>信号の一覧で: トレンドから外す</translation>
+        </message>
+        <message>
+            <source>In the start sheet, after typing its words: start</source>
+            <translation>起動の画面で、指定の語を入力した後: 起動</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows of the list with the focus</source>
+            <translation>フォーカスのある一覧で選んだ行をコピー</translation>
+        </message>
     </context>
     <context>
         <name>QFileDialog</name>
@@ -838,6 +1142,226 @@
         <message>
             <source>JSON (*.json)</source>
             <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Readiness</name>
+        <message>
+            <source>A signal group and a B variable were asked for: %1.</source>
+            <translation>信号グループとB変数を要求しました: %1。</translation>
+        </message>
+        <message>
+            <source>A signal group and a B variable are asked for while this sheet is open. Writing needs no REMOTE; whether data are protected cannot be read.</source>
+            <translation>この画面を開いている間、信号グループとB変数を要求します。書込みにREMOTEは不要です。データが保護されているかどうかは読み出せません。</translation>
+        </message>
+        <message>
+            <source>The software version, which tells the model, was not read yet.</source>
+            <translation>機種を示すソフトウェアバージョンをまだ読み出していません。</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but %2 is the software of a %3.</source>
+            <translation>プロファイルでは%1ですが、%2は%3のソフトウェアです。</translation>
+        </message>
+        <message>
+            <source>The software %1 does not tell the model. The ranges are those of the profile's %2.</source>
+            <translation>ソフトウェア%1からは機種が分かりません。範囲はプロファイルの%2のものです。</translation>
+        </message>
+        <message>
+            <source>The software %1 is that of a %2. Its ranges come from a table, not from the controller.</source>
+            <translation>ソフトウェア%1は%2のものです。範囲は表によるもので、コントローラから読み出したものではありません。</translation>
+        </message>
+        <message>
+            <source>The last HOLD was refused: %1.</source>
+            <translation>最後のHOLDは拒否されました: %1。</translation>
+        </message>
+        <message>
+            <source>The last HOLD was confirmed by the status. It is a software hold, no emergency stop.</source>
+            <translation>最後のHOLDは状態で確認しました。これはソフトウェアホールドであり、非常停止ではありません。</translation>
+        </message>
+        <message>
+            <source>The last HOLD was sent, and the status did not confirm it.</source>
+            <translation>最後のHOLDを送信しましたが、状態では確認できませんでした。</translation>
+        </message>
+        <message>
+            <source>It needs neither REMOTE nor an access level, and was not tried. It is a software hold, no emergency stop.</source>
+            <translation>REMOTEもアクセスレベルも不要です。まだ試していません。これはソフトウェアホールドであり、非常停止ではありません。</translation>
+        </message>
+        <message>
+            <source>A list of jobs was asked for at port %1: %2.</source>
+            <translation>ポート%1にジョブの一覧を要求しました: %2。</translation>
+        </message>
+        <message>
+            <source>A list of jobs is asked for at port %1.</source>
+            <translation>ポート%1にジョブの一覧を要求します。</translation>
+        </message>
+        <message>
+            <source>Port %1 lists the jobs. Sending and deleting files need REMOTE.</source>
+            <translation>ポート%1がジョブの一覧を応答しています。ファイルの送信と削除にはREMOTEが必要です。</translation>
+        </message>
+        <message>
+            <source>This simulation has B000 at number %1 on the network.</source>
+            <translation>このシミュレーションでは、ネットワーク上の番号%1がB000です。</translation>
+        </message>
+        <message>
+            <source>The software version, with which it was compared, was not read yet.</source>
+            <translation>比較時のソフトウェアと照らし合わせるソフトウェアバージョンを、まだ読み出していません。</translation>
+        </message>
+        <message>
+            <source>It was compared with software %1, but %2 runs now: variables are not written before it is compared again.</source>
+            <translation>ソフトウェア%1で比較しましたが、現在は%2です。もう一度比較するまで、変数は書き込みません。</translation>
+        </message>
+        <message>
+            <source>Whether B000 is number 0 or 1 on the network is unverified; variables are not written.</source>
+            <translation>B000がネットワーク上で番号0か番号1かは未照合です。変数は書き込みません。</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1: number 0 on the network is B000.</source>
+            <translation>%1にペンダントと比較済み: ネットワーク上の番号0がB000です。</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1, shifted: number 1 on the network is B000.</source>
+            <translation>%1にペンダントと比較済み、ずれあり: ネットワーク上の番号1がB000です。</translation>
+        </message>
+        <message>
+            <source>The controller does not answer any more. Reading resumes by itself.</source>
+            <translation>コントローラが応答しなくなりました。読出しは自動で再開します。</translation>
+        </message>
+        <message>
+            <source>The controller tells its status and system information. Reading needs no REMOTE.</source>
+            <translation>コントローラは状態とシステム情報を知らせています。読出しにREMOTEは不要です。</translation>
+        </message>
+        <message>
+            <source>Orders are taken in command remote alone: start, select, reset, cycle, servo on.</source>
+            <translation>次の指令は、コマンドリモートのときだけ受け付けられます: 起動、選択、リセット、サイクル、サーボオン。</translation>
+        </message>
+        <message>
+            <source>It needs REMOTE, and that no job runs.</source>
+            <translation>REMOTEが必要です。また、運転中のジョブがないことが必要です。</translation>
+        </message>
+        <message>
+            <source>It needs PLAY, REMOTE, servo on and a job, and nothing that holds the robot.</source>
+            <translation>PLAY、REMOTE、サーボオン、ジョブが必要です。また、ロボットがホールドされていないことが必要です。</translation>
+        </message>
+        <message>
+            <source>It needs PLAY and REMOTE. Servo off can always be ordered from here; whether it is taken without REMOTE is up to the controller.</source>
+            <translation>PLAYとREMOTEが必要です。サーボオフはいつでもここから指令できます。REMOTEでないときに受け付けるかどうかは、コントローラによります。</translation>
+        </message>
+        <message>
+            <source>They need what a start needs, but for the job, and a model that knows them.</source>
+            <translation>ジョブを除いて起動と同じ条件が必要です。また、これらの指令に対応する機種であることが必要です。</translation>
+        </message>
+        <message>
+            <source>Sending a file that exists there needs REMOTE and two parameters.</source>
+            <translation>コントローラにすでにあるファイルを送信するには、REMOTEと2つのパラメータの設定が必要です。</translation>
+        </message>
+        <message>
+            <source>Reading</source>
+            <translation>読出し</translation>
+        </message>
+        <message>
+            <source>I/O and variables</source>
+            <translation>I/Oと変数</translation>
+        </message>
+        <message>
+            <source>Ranges of the model</source>
+            <translation>機種の範囲</translation>
+        </message>
+        <message>
+            <source>Orders (REMOTE)</source>
+            <translation>指令 (REMOTE)</translation>
+        </message>
+        <message>
+            <source>Selecting a job</source>
+            <translation>ジョブの選択</translation>
+        </message>
+        <message>
+            <source>Starting a job</source>
+            <translation>ジョブの起動</translation>
+        </message>
+        <message>
+            <source>Switching servo on</source>
+            <translation>サーボをオンにする</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>ジョグと移動</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (ソフトウェア)</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>ファイル</translation>
+        </message>
+        <message>
+            <source>Replacing files</source>
+            <translation>ファイルの置換え</translation>
+        </message>
+        <message>
+            <source>Numbering of variables</source>
+            <translation>変数番号の方式</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>可</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>不可</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>不明</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>実測</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>推定</translation>
+        </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>読出し不可</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>未読出し</translation>
+        </message>
+        <message>
+            <source>In the way: %1.</source>
+            <translation>妨げている条件: %1。</translation>
+        </message>
+        <message>
+            <source>HSES does not tell whether this is so: %1.</source>
+            <translation>HSESでは、次のとおりかどうかが分かりません: %1。</translation>
+        </message>
+        <message>
+            <source>What helps: %1.</source>
+            <translation>対処: %1。</translation>
+        </message>
+        <message>
+            <source>Diagnose… in the rail finds out at which step it fails.</source>
+            <translation>サイドバーの「診断…」で、どの段階で不合格になるかが分かります。</translation>
+        </message>
+        <message>
+            <source>Correct the model in the profile (Connect…).</source>
+            <translation>プロファイルの機種を修正してください (「接続…」)。</translation>
+        </message>
+        <message>
+            <source>Use the pendant.</source>
+            <translation>ペンダントを使ってください。</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, readiness of %2 (%3), %4, %5</source>
+            <translation>Pendesk %1、%2の準備状態 (%3)、%4、%5</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <comment>subject, allowance, evidence</comment>
+            <translation>%1: %2、%3</translation>
         </message>
     </context>
     <context>
@@ -1034,6 +1558,37 @@
         </message>
     </context>
     <context>
+        <name>dialogs::AppearanceDialog</name>
+        <message>
+            <source>As the desktop</source>
+            <translation>デスクトップの設定に従う</translation>
+        </message>
+        <message>
+            <source>Language and look</source>
+            <translation>言語と外観</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>ライト</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>ダーク</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>言語(&amp;L)</translation>
+        </message>
+        <message>
+            <source>L&amp;ook</source>
+            <translation>外観(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Words of the robot and text from the controller stay as they are on the pendant.</source>
+            <translation>ロボットの用語とコントローラからの文字列は、ペンダントの表示のままです。</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::ApplyDialog</name>
         <message>
             <source>Variable</source>
@@ -1159,6 +1714,113 @@
         <message>
             <source>Copied</source>
             <translation>コピーしました</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::HelpDialog</name>
+        <message>
+            <source>Help — %1</source>
+            <translation>ヘルプ — %1</translation>
+        </message>
+        <message>
+            <source>Search in this help</source>
+            <translation>このヘルプを検索</translation>
+        </message>
+        <message>
+            <source>Nothing here has these words.</source>
+            <translation>この語句を含む項目はありません。</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>ヘルプ</translation>
+        </message>
+        <message>
+            <source>Keys of this page</source>
+            <translation>このページのキー</translation>
+        </message>
+        <message>
+            <source>Keys everywhere</source>
+            <translation>共通のキー</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>メニュー</translation>
+        </message>
+        <message>
+            <source>Without a connection: connect to the controller on the filled button</source>
+            <translation>未接続のとき: 塗りつぶしのボタンに示すコントローラに接続</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>ページ</translation>
+        </message>
+        <message>
+            <source>Live: read within its last three turns.</source>
+            <translation>ライブ: 直近3回の読出し周期のうちに読み出した値です。</translation>
+        </message>
+        <message>
+            <source>Stale</source>
+            <translation>古い値</translation>
+        </message>
+        <message>
+            <source>Stale: read once, too long ago. The tool tip says when. It is not what the robot does now.</source>
+            <translation>古い値: 一度読み出しましたが、時間が経ちすぎています。時刻はツールチップに表示します。ロボットの今の状態ではありません。</translation>
+        </message>
+        <message>
+            <source>Unknown: not read on this connection. It is never shown as 0.</source>
+            <translation>不明: この接続では読み出していません。0と表示することはありません。</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>拒否</translation>
+        </message>
+        <message>
+            <source>Refused: the controller does not tell it. The reason stands on the card or in the tool tip.</source>
+            <translation>拒否: コントローラが知らせません。理由はカードまたはツールチップに表示します。</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>オン</translation>
+        </message>
+        <message>
+            <source>A filled square: on, or 1.</source>
+            <translation>塗りつぶしの四角: オン、または1です。</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>オフ</translation>
+        </message>
+        <message>
+            <source>A hollow square: off, or 0.</source>
+            <translation>中空の四角: オフ、または0です。</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>ホールド中</translation>
+        </message>
+        <message>
+            <source>An amber triangle: error, hold, something not allowed or to be looked at.</source>
+            <translation>橙色の三角: エラー、ホールド、許可されていないもの、または確認が必要なものです。</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>アラーム</translation>
+        </message>
+        <message>
+            <source>A red square: an alarm.</source>
+            <translation>赤い四角: アラームです。</translation>
+        </message>
+        <message>
+            <source>What the signs mean</source>
+            <translation>記号の意味</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>見本</translation>
+        </message>
+        <message>
+            <source>An amber ground in a table: typed and staged, not sent yet. A red one: it reads back differently from what was written.</source>
+            <translation>表の橙色の背景: 入力して書込み予定に追加した値です。まだ送信していません。赤い背景: 書き込んだ値と異なる値が読み戻されました。</translation>
         </message>
     </context>
     <context>
@@ -1838,6 +2500,65 @@
         </message>
     </context>
     <context>
+        <name>dialogs::ReadinessSheet</name>
+        <message>
+            <source>Readiness — %1</source>
+            <translation>準備状態 — %1</translation>
+        </message>
+        <message>
+            <source>What %1 allows now</source>
+            <translation>%1が現在許可していること</translation>
+        </message>
+        <message>
+            <source>Readiness</source>
+            <translation>準備状態</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>コピー</translation>
+        </message>
+        <message>
+            <source>Copy the readiness and a diagnosis</source>
+            <translation>準備状態と診断をコピー</translation>
+        </message>
+        <message>
+            <source>As text for support, with a diagnosis of the link, which takes a moment.</source>
+            <translation>サポート用のテキストとしてコピーします。リンクの診断を含むため、少し時間がかかります。</translation>
+        </message>
+        <message>
+            <source>Test numbering…</source>
+            <translation>変数番号のテスト…</translation>
+        </message>
+        <message>
+            <source>It needs a link to the controller.</source>
+            <translation>コントローラとのリンクが必要です。</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1: what is hatched was read before.</source>
+            <translation>通信途絶 (%1): 斜線の部分は途絶前に読み出したものです。</translation>
+        </message>
+        <message>
+            <source>%1 has not answered yet.</source>
+            <translation>%1はまだ応答していません。</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is read.</source>
+            <translation>未接続のため、何も読み出していません。</translation>
+        </message>
+        <message>
+            <source>The status was not read just now.</source>
+            <translation>状態の情報が最新ではありません。</translation>
+        </message>
+        <message>
+            <source>It is read live and changes nothing. HOLD works meanwhile: Pause key.</source>
+            <translation>ライブで読み出しており、何も変更しません。その間もHOLDは有効です: Pauseキー。</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>コピーしました</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
@@ -1942,21 +2663,6 @@
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
             <translation>▲ ファイルを元に戻せませんでした。コントローラを確認してください。</translation>
-        </message>
-    </context>
-    <context>
-        <name>dialogs::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>キーボードショートカット</translation>
-        </message>
-        <message>
-            <source>Page: %1</source>
-            <translation>ページ: %1</translation>
-        </message>
-        <message>
-            <source>Menu</source>
-            <translation>メニュー</translation>
         </message>
     </context>
     <context>
@@ -2668,6 +3374,10 @@
             <comment>new value</comment>
             <translation>→ %1</translation>
         </message>
+        <message>
+            <source>refused</source>
+            <translation>拒否</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -2926,10 +3636,6 @@
         <message>
             <source>Cancel error accepted.</source>
             <translation>エラーキャンセルが受け付けられました。</translation>
-        </message>
-        <message>
-            <source>New alarm %1: %2</source>
-            <translation>新しいアラーム %1: %2</translation>
         </message>
     </context>
     <context>
@@ -3303,6 +4009,10 @@
             <source>Exporting to %1…</source>
             <translation>%1 にエクスポートしています…</translation>
         </message>
+        <message>
+            <source>Files are still being read for a backup or a comparison.</source>
+            <translation>バックアップまたは比較のために、まだファイルを読み出しています。</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>
@@ -3506,6 +4216,10 @@
             <source>Choose files on the right first.</source>
             <translation>先に右側でファイルを選んでください。</translation>
         </message>
+        <message>
+            <source>Files are still being transferred.</source>
+            <translation>まだファイルを転送しています。</translation>
+        </message>
     </context>
     <context>
         <name>pages::GroupCard</name>
@@ -3574,14 +4288,6 @@
         <message>
             <source>Pseudo in</source>
             <translation>疑似入力</translation>
-        </message>
-        <message>
-            <source>Go to</source>
-            <translation>ジャンプ</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>ジャンプ…  Ctrl+G</translation>
         </message>
         <message>
             <source>Count from 0</source>
@@ -4252,37 +4958,6 @@
         </message>
     </context>
     <context>
-        <name>pages::NotConnectedPanel</name>
-        <message>
-            <source>Connect to %1</source>
-            <translation>%1に接続</translation>
-        </message>
-        <message>
-            <source>Another controller…</source>
-            <translation>別のコントローラ…</translation>
-        </message>
-        <message>
-            <source>Connect…</source>
-            <translation>接続…</translation>
-        </message>
-        <message>
-            <source>Open the demo</source>
-            <translation>デモを開く</translation>
-        </message>
-        <message>
-            <source>Not connected</source>
-            <translation>未接続</translation>
-        </message>
-        <message>
-            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
-            <translation>何も読み出さず、何も表示していません。ネットワーク上のロボットコントローラに、名前またはアドレスで接続してください。コントローラのEthernetサーバ機能を有効にしておく必要があります。</translation>
-        </message>
-        <message>
-            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
-            <translation>接続は読出しだけを行います。手元にロボットがなくても、デモには専用の模擬コントローラがあります。</translation>
-        </message>
-    </context>
-    <context>
         <name>pages::Offers</name>
         <message>
             <source>Before sending</source>
@@ -4672,6 +5347,53 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>pages::StartPanel</name>
+        <message>
+            <source>Start</source>
+            <translation>開始画面</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>未接続</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connecting only reads: nothing is written, started or moved by it.</source>
+            <translation>何も読み出さず、何も表示していません。接続は読出しだけを行います。接続によって書込み、起動、移動が行われることはありません。</translation>
+        </message>
+        <message>
+            <source>Connect to a controller…</source>
+            <translation>コントローラに接続…</translation>
+        </message>
+        <message>
+            <source>A controller in your network</source>
+            <translation>ネットワーク上のコントローラ</translation>
+        </message>
+        <message>
+            <source>Enter its name or address. Pendesk checks step by step whether it answers, and says what is wrong where it does not.</source>
+            <translation>名前またはアドレスを入力してください。Pendeskは応答するかどうかを段階ごとに確認し、応答しない場合はどこに問題があるかを示します。</translation>
+        </message>
+        <message>
+            <source>No robot at hand</source>
+            <translation>手元にロボットがない場合</translation>
+        </message>
+        <message>
+            <source>The demo brings a simulated controller in this program. Everything can be tried with it, and no robot moves.</source>
+            <translation>デモには、このプログラム内の模擬コントローラがあります。すべての機能を試せます。ロボットは動きません。</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>デモを開く</translation>
+        </message>
+        <message>
+            <source>Recent controllers</source>
+            <translation>最近のコントローラ</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>別のコントローラ…</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::StateCard</name>
         <message>
             <source>State</source>
@@ -4960,14 +5682,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>直前の書込みを戻す</translation>
         </message>
         <message>
-            <source>Go to</source>
-            <translation>ジャンプ</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>ジャンプ…  Ctrl+G</translation>
-        </message>
-        <message>
             <source>Import…</source>
             <translation>インポート…</translation>
         </message>
@@ -5033,6 +5747,12 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>%1 stays as it is: %2</source>
             <comment>variable: reason</comment>
             <translation>%1 はそのまま残ります: %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n staged value(s) were not applied.</source>
+            <translation>
+                <numerusform>書込み予定の%n個の値を適用していません。</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5116,6 +5836,71 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>pages::start::RecentTile</name>
+        <message>
+            <source>no connection noted yet</source>
+            <translation>接続の記録なし</translation>
+        </message>
+        <message>
+            <source>connected today %1</source>
+            <comment>the time</comment>
+            <translation>接続: 今日 %1</translation>
+        </message>
+        <message>
+            <source>connected yesterday %1</source>
+            <comment>the time</comment>
+            <translation>接続: 昨日 %1</translation>
+        </message>
+        <message>
+            <source>connected %1 %2</source>
+            <comment>the date, the time</comment>
+            <translation>接続: %1 %2</translation>
+        </message>
+        <message>
+            <source>Connect to %1</source>
+            <translation>%1に接続</translation>
+        </message>
+        <message>
+            <source>simulation</source>
+            <translation>シミュレーション</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::start::SetupCard</name>
+        <message>
+            <source>What must be set on the pendant</source>
+            <translation>ペンダントで必要な設定</translation>
+        </message>
+        <message>
+            <source>Menus differ by model and software</source>
+            <translation>メニューは機種とソフトウェアによって異なります</translation>
+        </message>
+        <message>
+            <source>To be found</source>
+            <translation>接続できるようにする</translation>
+        </message>
+        <message>
+            <source>The Ethernet server function (HSES) is on; it is an option of DX100, DX200 and FS100. The controller has an IPv4 address in the network of this computer, and no firewall between them drops UDP %1 and %2.</source>
+            <translation>Ethernetサーバ機能 (HSES) が有効であること。この機能はDX100、DX200、FS100ではオプションです。コントローラにこのコンピュータと同じネットワークのIPv4アドレスがあり、間のファイアウォールがUDP %1と%2を遮断していないこと。</translation>
+        </message>
+        <message>
+            <source>To take orders</source>
+            <translation>指令を受け付けるようにする</translation>
+        </message>
+        <message>
+            <source>Only for starting, moving, resetting and files, not for reading: %1.</source>
+            <translation>起動、移動、リセット、ファイルにだけ必要です。読出しには不要です: %1。</translation>
+        </message>
+        <message>
+            <source>To select and replace</source>
+            <translation>選択と置換えを許可する</translation>
+        </message>
+        <message>
+            <source>For selecting jobs from here: %1. For replacing files that exist there: %2.</source>
+            <translation>ここからジョブを選択する場合: %1。コントローラにあるファイルを置き換える場合: %2。</translation>
+        </message>
+    </context>
+    <context>
         <name>pendesk</name>
         <message>
             <source>A teach and monitor desk for Yaskawa robot controllers.</source>
@@ -5165,20 +5950,20 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>--pictures needs a folder, and --demo, --host or --profile.</source>
             <translation>--picturesにはフォルダと、--demo、--host、--profileのいずれかが必要です。</translation>
         </message>
+        <message>
+            <source>Write one picture of all pages, light and dark, in English, German and Japanese, and end.</source>
+            <translation>全ページのライトとダーク、英語、ドイツ語、日本語での表示を1枚の画像に書き出して終了します。</translation>
+        </message>
+        <message>
+            <source>--contact-sheet needs a file, and --demo, --host or --profile.</source>
+            <translation>--contact-sheetにはファイルと、--demo、--host、--profileのいずれかが必要です。</translation>
+        </message>
     </context>
     <context>
         <name>pendesk::Pictures</name>
         <message>
             <source>not everything was read</source>
             <translation>すべては読み出せませんでした</translation>
-        </message>
-        <message>
-            <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk: 5秒以内にライブのコントローラが見つかりません: %1。</translation>
-        </message>
-        <message>
-            <source>pendesk: the folder %1 cannot be made.</source>
-            <translation>pendesk: フォルダ%1を作成できません。</translation>
         </message>
         <message>
             <source>pendesk: %1 cannot be written.</source>
@@ -5227,6 +6012,22 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>Pictures are in %1</source>
             <translation>画像の保存先: %1</translation>
+        </message>
+        <message>
+            <source>the folder %1 cannot be made</source>
+            <translation>フォルダ%1を作成できません</translation>
+        </message>
+        <message>
+            <source>no live controller within 5 s: %1</source>
+            <translation>5秒以内にライブのコントローラが見つかりません: %1</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written</source>
+            <translation>%1に書き込めません</translation>
+        </message>
+        <message>
+            <source>pendesk: %1.</source>
+            <translation>pendesk: %1。</translation>
         </message>
     </context>
     <context>
@@ -6827,6 +7628,13 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>ui::Announcer</name>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>新しいアラーム %1: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ArmBadge</name>
         <message>
             <source>This controller is armed: press to disarm.</source>
@@ -6968,6 +7776,14 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
         <message>
             <source>%1 requests/s</source>
             <translation>%1 要求/秒</translation>
+        </message>
+        <message>
+            <source>Something is unfinished</source>
+            <translation>完了していないものがあります</translation>
+        </message>
+        <message>
+            <source>Go on and lose it</source>
+            <translation>破棄して続行</translation>
         </message>
     </context>
     <context>
@@ -7523,6 +8339,17 @@ HOLDはネットワーク経由のソフトウェアホールドであり、安�
             <translation>
                 <numerusform>ほか%n件</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::GoToEdit</name>
+        <message>
+            <source>Go to</source>
+            <translation>ジャンプ</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>ジャンプ…  Ctrl+G</translation>
         </message>
     </context>
     <context>

@@ -44,16 +44,24 @@
             <translation>진단 복사</translation>
         </message>
         <message>
-            <source>Keyboard shortcuts</source>
-            <translation>키보드 단축키</translation>
-        </message>
-        <message>
             <source>About Pendesk</source>
             <translation>Pendesk 정보</translation>
         </message>
         <message>
             <source>Quit</source>
             <translation>종료</translation>
+        </message>
+        <message>
+            <source>Language and look…</source>
+            <translation>언어와 모양…</translation>
+        </message>
+        <message>
+            <source>Readiness…</source>
+            <translation>준비 상태…</translation>
+        </message>
+        <message>
+            <source>Help and shortcuts</source>
+            <translation>도움말과 단축키</translation>
         </message>
     </context>
     <context>
@@ -644,10 +652,6 @@
             <translation>파라미터 RS029와 RS214를 1로 설정하십시오: %1</translation>
         </message>
         <message>
-            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
-            <translation>IN/OUT, PSEUDO INPUT SIG, #82015</translation>
-        </message>
-        <message>
             <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
             <translation>SETUP, FUNCTION COND. 또는 FUNCTION ENABLE</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>PARAMETER, RS (management mode)</source>
             <translation>PARAMETER, RS (관리 모드)</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)</source>
+            <translation>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (DX100에서는 #82015)</translation>
         </message>
     </context>
     <context>
@@ -828,6 +836,302 @@
             <source>Journal</source>
             <translation>조작 이력</translation>
         </message>
+        <message>
+            <source>The state of the robot at a glance: mode, cycle, servo, run, the three causes of a hold, alarm, error and speed limit, the executing job, the position of R1, and how well the link works.</source>
+            <translation>로봇의 상태를 한눈에 표시합니다: 모드, 사이클, 서보, 운전, 세 가지 홀드 원인, 알람, 에러, 속도 제한, 실행 중인 잡, R1의 위치, 통신 상태.</translation>
+        </message>
+        <message>
+            <source>“What can I do now?” lists what may be ordered. ✓ may be tried, ✗ may not, with the first reason beside it.</source>
+            <translation>“지금 할 수 있는 것은?”에는 지령할 수 있는 조작이 표시됩니다. ✓는 시도할 수 있는 것, ✗는 시도할 수 없는 것이며 옆에 첫 번째 이유가 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Bits that contradict each other, such as TEACH and PLAY, are shown side by side as they were received, under ▲.</source>
+            <translation>TEACH와 PLAY처럼 서로 모순되는 비트는 수신한 그대로 ▲와 함께 나란히 표시합니다.</translation>
+        </message>
+        <message>
+            <source>Copy beside the system information takes model and software to the clipboard. The right mouse button on a number adds it to the trend.</source>
+            <translation>시스템 정보 옆의 “복사”는 기종과 소프트웨어를 클립보드에 복사합니다. 숫자를 마우스 오른쪽 버튼으로 누르면 트렌드에 추가할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Up to four active alarms, the newest first, and the past alarms that were read from the controller.</source>
+            <translation>최대 4개의 발생 중인 알람(최신순)과 컨트롤러에서 읽은 과거 알람을 표시합니다.</translation>
+        </message>
+        <message>
+            <source>Acknowledge is noted on this computer only: the robot does not hear of it.</source>
+            <translation>“확인”은 이 컴퓨터에만 기록됩니다. 로봇에는 전달되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Reset alarm and Cancel error are orders: they need REMOTE and the level Operate, and say before what they clear. After a reset that was accepted an alarm may stay: then its cause is still there.</source>
+            <translation>“알람 리셋”과 “에러 취소”는 지령입니다. REMOTE와 “조작” 레벨이 필요하며, 해제할 대상을 미리 알려 줍니다. 리셋이 수락된 후에도 알람이 남을 수 있습니다. 이 경우 원인이 아직 남아 있습니다.</translation>
+        </message>
+        <message>
+            <source>Read now fetches the history and keeps it in the journal, even after the controller has dropped it. Most frequent counts codes.</source>
+            <translation>“지금 읽기”는 이력을 가져와 조작 이력에 보관합니다. 컨트롤러에서 이력이 없어진 후에도 남습니다. “발생 빈도순”은 코드별 횟수를 셉니다.</translation>
+        </message>
+        <message>
+            <source>Notes keep what caused a code and what was done, on this computer.</source>
+            <translation>“메모”에는 코드의 원인과 조치 내용을 이 컴퓨터에 보관합니다.</translation>
+        </message>
+        <message>
+            <source>All signals of one area, a group of eight in a row. A filled square is 1, a hollow one 0; a frame marks what changed in the last two seconds.</source>
+            <translation>한 신호 범위의 모든 신호를 표시합니다. 한 행은 신호 8개로 된 그룹 하나입니다. 채워진 사각형은 1, 빈 사각형은 0입니다. 테두리는 최근 2초 안에 바뀐 신호를 나타냅니다.</translation>
+        </message>
+        <message>
+            <source>Only network inputs can be written over HSES, by an engineer. A write reads the group, changes one bit, shows old and new, and reads back: eight bits travel together.</source>
+            <translation>HSES로는 네트워크 입력에만 쓸 수 있으며, “엔지니어” 레벨이 필요합니다. 쓰기는 그룹을 읽고, 비트 하나를 바꾸고, 이전 값과 새 값을 표시하고, 다시 읽어 확인합니다. 8개 비트가 함께 전송됩니다.</translation>
+        </message>
+        <message>
+            <source>Names come from the controller's IONAME.DAT. The right mouse button names a signal here, or puts it on the tab Watch.</source>
+            <translation>이름은 컨트롤러의 IONAME.DAT에서 가져옵니다. 마우스 오른쪽 버튼으로 여기서 신호의 이름을 지정하거나 신호를 “워치” 탭에 넣을 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Watch counts edges and draws the last minute. It reads four times a second: shorter pulses are not seen.</source>
+            <translation>“워치”는 에지를 세고 최근 1분을 그립니다. 초당 4회 읽으므로 더 짧은 펄스는 확인되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Go to takes #27010 as well as IN#(1).</source>
+            <translation>“바로 가기”에는 #27010과 IN#(1) 어느 쪽 형식으로도 입력할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>The registers M000 to M999, as decimal, signed, hexadecimal or binary numbers. Only the rows in view are read.</source>
+            <translation>레지스터 M000부터 M999까지를 10진수, 부호 있는 수, 16진수 또는 2진수로 표시합니다. 화면에 보이는 행만 읽습니다.</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written by an engineer; the others belong to the ladder.</source>
+            <translation>M000부터 M559까지는 “엔지니어” 레벨에서 쓸 수 있습니다. 나머지는 래더가 사용합니다.</translation>
+        </message>
+        <message>
+            <source>Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back.</source>
+            <translation>편집기에서 Enter를 누르면 값이 쓰기 예정에 추가됩니다. 값은 황색이 되며 아무것도 송신되지 않습니다. “적용”은 쓰기 예정인 모든 값의 이전 값과 새 값을 표시하고, 각 값을 한 번만 쓴 후 다시 읽어 확인합니다.</translation>
+        </message>
+        <message>
+            <source>A value that reads back differently is red and stays. Undo last stages the values from before the last Apply.</source>
+            <translation>쓴 값과 다르게 읽힌 값은 적색이며 그대로 남습니다. “마지막 쓰기 되돌리기”는 마지막 “적용” 이전의 값을 쓰기 예정에 추가합니다.</translation>
+        </message>
+        <message>
+            <source>The variables B I D R S P BP and EX with their names, their value before, and when they changed. Only the rows in view are read.</source>
+            <translation>변수 B I D R S P BP EX의 이름, 이전 값, 변경 시각을 표시합니다. 화면에 보이는 행만 읽습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing is written before the numbering was compared with the pendant: Verify… does that, and only reads.</source>
+            <translation>변수 번호 방식을 펜던트와 비교하기 전에는 아무것도 쓰지 않습니다. “대조…”가 그 비교를 수행하며, 읽기만 합니다.</translation>
+        </message>
+        <message>
+            <source>Import and Export take CSV files; cells of a spreadsheet can be pasted. Both show first what would differ.</source>
+            <translation>“가져오기”와 “내보내기”는 CSV 파일을 사용하며, 스프레드시트의 셀을 붙여 넣을 수도 있습니다. 가져올 때와 붙여 넣을 때는 달라질 내용을 먼저 표시합니다.</translation>
+        </message>
+        <message>
+            <source>A watch page is a list of your own: the right mouse button puts rows of any tab on it.</source>
+            <translation>워치 페이지는 직접 만드는 목록입니다. 마우스 오른쪽 버튼으로 임의의 탭의 행을 추가할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>The tool point in the base frame, with form and tool; the axes in pulses with following error, torque and temperature where the model tells them; and the path of the tool point.</source>
+            <translation>베이스 좌표에서의 제어점을 형태와 툴과 함께 표시합니다. 축은 펄스로 표시하고, 기종이 알려 주는 경우 위치 편차, 토크, 온도도 표시합니다. 제어점의 궤적도 표시합니다.</translation>
+        </message>
+        <message>
+            <source>Degrees of axes stand here only where the profile gives pulses per degree: the controller does not tell them.</source>
+            <translation>축의 각도는 프로파일에 1도당 펄스 수가 있을 때만 표시됩니다. 컨트롤러는 이를 알려 주지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Torque is shown as the controller sends it: its unit is stated nowhere.</source>
+            <translation>토크는 컨트롤러가 보낸 그대로 표시합니다. 단위는 어디에도 명시되어 있지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Min and max count from the last reset, while this page is read. Copy as text takes the table in view.</source>
+            <translation>최소와 최대는 마지막 리셋 이후 이 페이지를 읽는 동안의 값으로 집계합니다. “텍스트로 복사”는 표시 중인 표를 복사합니다.</translation>
+        </message>
+        <message>
+            <source>Control groups that the controller refuses have no tab; the line beside the tabs counts them.</source>
+            <translation>컨트롤러가 거부하는 제어 그룹에는 탭이 없습니다. 탭 옆에 그 개수가 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Moves the robot by orders, in automatic operation. The pendant's enabling switch does not protect anyone here, and nobody may be inside the fence. It is off in TEACH, always.</source>
+            <translation>자동 운전 중에 지령으로 로봇을 움직입니다. 여기서는 펜던트의 인에이블 스위치가 아무도 보호하지 않으며, 안전 펜스 안에 아무도 있어서는 안 됩니다. TEACH에서는 항상 사용할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Arming needs the level Operate, REMOTE and PLAY; moving needs Engineer too. Losing the focus, a minute without a key or the mouse, an alarm or a lost link disarms.</source>
+            <translation>동작 허가에는 “조작” 레벨, REMOTE, PLAY가 필요합니다. 이동에는 “엔지니어” 레벨도 필요합니다. 포커스를 잃거나, 1분간 키와 마우스 조작이 없거나, 알람이 발생하거나, 통신이 끊어지면 동작 허가가 해제됩니다.</translation>
+        </message>
+        <message>
+            <source>Jog sends one bounded step after another while a button is held. Letting go sends no more steps and holds the one that runs; after a lost link the robot still ends its step.</source>
+            <translation>조그는 버튼을 누르고 있는 동안 제한된 스텝을 하나씩 차례로 송신합니다. 손을 떼면 스텝을 더 송신하지 않고 실행 중인 스텝을 홀드합니다. 통신이 끊어지면 로봇은 실행 중인 스텝을 끝까지 실행합니다.</translation>
+        </message>
+        <message>
+            <source>Move shows present place, target and change first. Rehearse… opens the sheet on which the move is confirmed.</source>
+            <translation>이동은 현재 위치, 목표, 변화량을 먼저 표시합니다. “사전 확인…”은 이동을 확정하는 창을 엽니다.</translation>
+        </message>
+        <message>
+            <source>What was sent without an answer is called unknown, never failed: look at the robot.</source>
+            <translation>송신했으나 응답이 없는 것은 “실패”가 아니라 “알 수 없음”으로 표시합니다. 로봇을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Draws any number over time. Drag it here from a page, choose “Add to trend” in its menu, or use Add signal….</source>
+            <translation>임의의 수를 시간에 따라 그립니다. 페이지에서 여기로 끌어 오거나, 그 메뉴에서 “트렌드에 추가”를 선택하거나, “신호 추가…”를 사용하십시오.</translation>
+        </message>
+        <message>
+            <source>Pause freezes the view; recording goes on. Gaps in a curve are times in which nothing was read.</source>
+            <translation>“일시 정지”는 표시를 멈춥니다. 기록은 계속됩니다. 곡선의 빈 구간은 아무것도 읽지 않은 시간입니다.</translation>
+        </message>
+        <message>
+            <source>The time box chooses how long a time is in view; under the cursor stand the values of that moment.</source>
+            <translation>표시 시간 상자에서 표시할 시간의 길이를 선택합니다. 커서 아래에 그 시점의 값이 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>An incident keeps 60 s before and 20 s after an alarm came up. It can be opened here later.</source>
+            <translation>인시던트는 알람 발생 60초 전부터 20초 후까지를 보관합니다. 나중에 여기서 열 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Export CSV… writes what is in view, with times in UTC.</source>
+            <translation>“CSV 내보내기…”는 표시 범위를 쓰며, 시각은 UTC입니다.</translation>
+        </message>
+        <message>
+            <source>The jobs on the controller and the text of the chosen one, with the line that is executed. A banner says when the text may be old.</source>
+            <translation>컨트롤러의 잡과 선택한 잡의 내용을, 실행 중인 행과 함께 표시합니다. 내용이 이전 것일 수 있을 때는 배너로 알립니다.</translation>
+        </message>
+        <message>
+            <source>“Selected” and “Executing” are two things: what a start would begin, and what runs.</source>
+            <translation>“선택됨”과 “실행 중”은 서로 다릅니다. “선택됨”은 기동하면 시작될 것이고, “실행 중”은 지금 운전 중인 것입니다.</translation>
+        </message>
+        <message>
+            <source>Start needs REMOTE, PLAY, servo on, the level Operate and an armed controller. Its sheet names controller, job and line, and the button works after one second. Nothing is ever started twice.</source>
+            <translation>기동에는 REMOTE, PLAY, 서보 ON, “조작” 레벨, 동작 허가된 컨트롤러가 필요합니다. 기동 창에는 컨트롤러, 잡, 행이 표시되며, 버튼은 1초 후에 작동합니다. 어떤 경우에도 두 번 기동하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Buttons show what was read. “Pending” stands until the status agrees.</source>
+            <translation>버튼은 읽은 상태를 표시합니다. “처리 중”은 상태가 일치할 때까지 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>HOLD from here can be released here. A hold by the pendant is released there.</source>
+            <translation>여기서 건 HOLD는 여기서 해제할 수 있습니다. 펜던트에 의한 홀드는 펜던트에서 해제합니다.</translation>
+        </message>
+        <message>
+            <source>“Why not?” beside a button lists all its conditions.</source>
+            <translation>버튼 옆의 “불가한 이유는?”에는 그 버튼의 모든 조건이 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Files of this computer on the left, of the controller on the right, by type.</source>
+            <translation>왼쪽은 이 컴퓨터의 파일, 오른쪽은 컨트롤러의 파일이며, 타입별로 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Fetch only reads. Send and Delete are for engineers and need REMOTE on.</source>
+            <translation>“가져오기”는 읽기만 합니다. “송신”과 “삭제”에는 “엔지니어” 레벨이 필요하며 REMOTE가 ON이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>A file that exists already is asked about: compare it, replace it, or leave it, which is the default. A file cut off half way never replaces a good one.</source>
+            <translation>이미 있는 파일은 처리 방법을 묻습니다. 비교하거나, 바꾸거나, 그대로 둘 수 있으며, 기본값은 그대로 두기입니다. 도중에 잘린 파일이 정상 파일을 바꾸는 일은 없습니다.</translation>
+        </message>
+        <message>
+            <source>Before a job is sent its text is checked, and afterwards it is read back and compared.</source>
+            <translation>잡은 송신하기 전에 내용을 검사하며, 송신 후에는 다시 읽어 비교합니다.</translation>
+        </message>
+        <message>
+            <source>Transfers lists every file with its bytes and state. Retry failed sends none that was finished.</source>
+            <translation>“전송”에는 모든 파일이 바이트 수, 상태와 함께 표시됩니다. “실패 항목 재시도”는 완료된 파일을 송신하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Backups of this controller, the newest first, with the files that are missing in each. ▲ marks one that is not whole.</source>
+            <translation>이 컨트롤러의 백업을 최신순으로 표시하고, 각 백업에 없는 파일을 함께 표시합니다. ▲는 완전하지 않은 백업을 나타냅니다.</translation>
+        </message>
+        <message>
+            <source>Back up now reads every file into a new folder with a checksum of each. A file that fails does not stop the rest.</source>
+            <translation>“지금 백업”은 모든 파일을 새 폴더로 읽고 각 파일의 체크섬을 기록합니다. 실패한 파일이 있어도 나머지는 계속합니다.</translation>
+        </message>
+        <message>
+            <source>Verify reads every byte again. Compare finds what differs from another backup or from the controller now; dates and counters are left out, and the page says which.</source>
+            <translation>“검증”은 모든 바이트를 다시 읽습니다. “비교”는 다른 백업 또는 컨트롤러의 현재 내용과 다른 점을 찾습니다. 날짜와 카운터는 제외하며, 제외한 항목은 페이지에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Restore… plans first, makes a fresh backup, sends what changed, and reads it back. It needs an engineer and REMOTE, and no job may run.</source>
+            <translation>“복원…”은 먼저 계획을 세우고, 새 백업을 만들고, 변경된 것을 송신한 후 다시 읽어 확인합니다. “엔지니어” 레벨과 REMOTE가 필요하며, 실행 중인 잡이 없어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Old backups go by number and age as set below the list, never the last good one or a pinned one.</source>
+            <translation>오래된 백업은 목록 아래에 설정한 개수와 기간에 따라 삭제됩니다. 마지막 양호한 백업과 고정된 백업은 삭제하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Everything that was tried from here: writes, starts, moves, servo, files, and what was refused or withheld, with user, old and new value, and the controller's answer.</source>
+            <translation>여기서 시도한 모든 것을 기록합니다: 쓰기, 기동, 이동, 서보, 파일, 그리고 거부되었거나 송신하지 않은 것. 조작자, 이전 값과 새 값, 컨트롤러의 응답을 함께 기록합니다.</translation>
+        </message>
+        <message>
+            <source>“Unknown” means that no answer came: it may have happened.</source>
+            <translation>“알 수 없음”은 응답이 오지 않았다는 뜻입니다. 실행되었을 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Filter by controller, kind, time and outcome, or search in all texts. Older records come when scrolling down.</source>
+            <translation>컨트롤러, 내용, 기간, 결과로 필터링하거나 모든 텍스트에서 검색하십시오. 이전 기록은 아래로 스크롤하면 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>The journal is kept on this computer for all controllers and can be read without a connection. Export writes what the filter shows.</source>
+            <translation>조작 이력은 모든 컨트롤러의 것을 이 컴퓨터에 보관하며 연결 없이 읽을 수 있습니다. “내보내기”는 필터에 표시된 것을 씁니다.</translation>
+        </message>
+        <message>
+            <source>Go to a signal</source>
+            <translation>신호로 바로 가기</translation>
+        </message>
+        <message>
+            <source>Write the signal (network inputs)</source>
+            <translation>신호 쓰기 (네트워크 입력)</translation>
+        </message>
+        <message>
+            <source>On the tab Watch: watch the signal no longer</source>
+            <translation>“워치” 탭에서: 신호의 워치 중지</translation>
+        </message>
+        <message>
+            <source>Go to a register</source>
+            <translation>레지스터로 바로 가기</translation>
+        </message>
+        <message>
+            <source>Open the editor; in it: stage the value</source>
+            <translation>편집기 열기. 편집기에서: 값을 쓰기 예정에 추가</translation>
+        </message>
+        <message>
+            <source>Discard the staged value</source>
+            <translation>쓰기 예정인 값 폐기</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows</source>
+            <translation>선택한 행 복사</translation>
+        </message>
+        <message>
+            <source>Paste cells: they are staged after a preview</source>
+            <translation>셀 붙여 넣기: 미리 보기 후 쓰기 예정에 추가</translation>
+        </message>
+        <message>
+            <source>Go to a variable</source>
+            <translation>변수로 바로 가기</translation>
+        </message>
+        <message>
+            <source>Held on a jog button: steps, if keyboard jog was switched on</source>
+            <translation>조그 버튼에서 누르고 있기: 키보드 조그를 켠 경우 스텝 실행</translation>
+        </message>
+        <message>
+            <source>In the sheet of the move, after typing its words: move</source>
+            <translation>이동 창에서 지정된 문구를 입력한 후: 이동</translation>
+        </message>
+        <message>
+            <source>In the plot: move the cursor</source>
+            <translation>플롯에서: 커서 이동</translation>
+        </message>
+        <message>
+            <source>In the plot: cursor to the oldest or newest time in view</source>
+            <translation>플롯에서: 커서를 표시 범위의 가장 오래된 시각 또는 최신 시각으로 이동</translation>
+        </message>
+        <message>
+            <source>In the plot: take the cursor away</source>
+            <translation>플롯에서: 커서 제거</translation>
+        </message>
+        <message>
+            <source>In the list of signals: remove it from the trend</source>
+            <translation>신호 목록에서: 트렌드에서 제거</translation>
+        </message>
+        <message>
+            <source>In the start sheet, after typing its words: start</source>
+            <translation>기동 창에서 지정된 문구를 입력한 후: 기동</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows of the list with the focus</source>
+            <translation>포커스가 있는 목록에서 선택한 행 복사</translation>
+        </message>
     </context>
     <context>
         <name>QFileDialog</name>
@@ -838,6 +1142,226 @@
         <message>
             <source>JSON (*.json)</source>
             <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Readiness</name>
+        <message>
+            <source>A signal group and a B variable were asked for: %1.</source>
+            <translation>신호 그룹 하나와 B 변수 하나를 요청했습니다: %1.</translation>
+        </message>
+        <message>
+            <source>A signal group and a B variable are asked for while this sheet is open. Writing needs no REMOTE; whether data are protected cannot be read.</source>
+            <translation>이 창이 열려 있는 동안 신호 그룹 하나와 B 변수 하나를 요청합니다. 쓰기에는 REMOTE가 필요하지 않습니다. 데이터가 보호되어 있는지는 읽을 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The software version, which tells the model, was not read yet.</source>
+            <translation>기종을 알려 주는 소프트웨어 버전을 아직 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but %2 is the software of a %3.</source>
+            <translation>프로파일에는 %1(으)로 되어 있으나, %2은(는) %3의 소프트웨어입니다.</translation>
+        </message>
+        <message>
+            <source>The software %1 does not tell the model. The ranges are those of the profile's %2.</source>
+            <translation>소프트웨어 %1(으)로는 기종을 알 수 없습니다. 범위는 프로파일의 %2을(를) 따릅니다.</translation>
+        </message>
+        <message>
+            <source>The software %1 is that of a %2. Its ranges come from a table, not from the controller.</source>
+            <translation>소프트웨어 %1은(는) %2의 것입니다. 범위는 컨트롤러가 아니라 표에서 가져온 것입니다.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was refused: %1.</source>
+            <translation>마지막 HOLD는 거부되었습니다: %1.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was confirmed by the status. It is a software hold, no emergency stop.</source>
+            <translation>마지막 HOLD는 상태로 확인되었습니다. 이것은 소프트웨어 홀드이며 비상 정지가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The last HOLD was sent, and the status did not confirm it.</source>
+            <translation>마지막 HOLD를 송신했으나 상태로 확인되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>It needs neither REMOTE nor an access level, and was not tried. It is a software hold, no emergency stop.</source>
+            <translation>REMOTE도 액세스 레벨도 필요하지 않으며, 아직 시도하지 않았습니다. 이것은 소프트웨어 홀드이며 비상 정지가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>A list of jobs was asked for at port %1: %2.</source>
+            <translation>포트 %1에 잡 목록을 요청했습니다: %2.</translation>
+        </message>
+        <message>
+            <source>A list of jobs is asked for at port %1.</source>
+            <translation>포트 %1에 잡 목록을 요청하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Port %1 lists the jobs. Sending and deleting files need REMOTE.</source>
+            <translation>포트 %1이(가) 잡 목록을 알려 줍니다. 파일의 송신과 삭제에는 REMOTE가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>This simulation has B000 at number %1 on the network.</source>
+            <translation>이 시뮬레이션에서 B000은 네트워크의 번호 %1입니다.</translation>
+        </message>
+        <message>
+            <source>The software version, with which it was compared, was not read yet.</source>
+            <translation>비교했을 때의 소프트웨어 버전을 아직 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>It was compared with software %1, but %2 runs now: variables are not written before it is compared again.</source>
+            <translation>소프트웨어 %1(으)로 비교했으나 지금은 %2이(가) 실행 중입니다. 다시 비교하기 전에는 변수에 쓰지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Whether B000 is number 0 or 1 on the network is unverified; variables are not written.</source>
+            <translation>네트워크에서 B000이 번호 0인지 번호 1인지 대조되지 않았습니다. 변수에는 쓰지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1: number 0 on the network is B000.</source>
+            <translation>%1에 펜던트와 비교함: 네트워크의 번호 0이 B000입니다.</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1, shifted: number 1 on the network is B000.</source>
+            <translation>%1에 펜던트와 비교함, 어긋남 있음: 네트워크의 번호 1이 B000입니다.</translation>
+        </message>
+        <message>
+            <source>The controller does not answer any more. Reading resumes by itself.</source>
+            <translation>컨트롤러가 더 이상 응답하지 않습니다. 읽기는 자동으로 재개됩니다.</translation>
+        </message>
+        <message>
+            <source>The controller tells its status and system information. Reading needs no REMOTE.</source>
+            <translation>컨트롤러가 상태와 시스템 정보를 알려 줍니다. 읽기에는 REMOTE가 필요하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Orders are taken in command remote alone: start, select, reset, cycle, servo on.</source>
+            <translation>지령은 커맨드 리모트에서만 수락됩니다: 기동, 선택, 리셋, 사이클, 서보 ON.</translation>
+        </message>
+        <message>
+            <source>It needs REMOTE, and that no job runs.</source>
+            <translation>REMOTE가 필요하며, 실행 중인 잡이 없어야 합니다.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY, REMOTE, servo on and a job, and nothing that holds the robot.</source>
+            <translation>PLAY, REMOTE, 서보 ON, 잡이 필요하며, 로봇을 홀드하는 것이 없어야 합니다.</translation>
+        </message>
+        <message>
+            <source>It needs PLAY and REMOTE. Servo off can always be ordered from here; whether it is taken without REMOTE is up to the controller.</source>
+            <translation>PLAY와 REMOTE가 필요합니다. 서보 OFF는 언제든지 여기서 지령할 수 있습니다. REMOTE 없이 수락될지는 컨트롤러에 따릅니다.</translation>
+        </message>
+        <message>
+            <source>They need what a start needs, but for the job, and a model that knows them.</source>
+            <translation>잡을 제외하고 기동에 필요한 조건이 모두 필요하며, 조그와 이동을 지원하는 기종이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Sending a file that exists there needs REMOTE and two parameters.</source>
+            <translation>컨트롤러에 이미 있는 파일을 송신하려면 REMOTE와 파라미터 2개가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Reading</source>
+            <translation>읽기</translation>
+        </message>
+        <message>
+            <source>I/O and variables</source>
+            <translation>I/O와 변수</translation>
+        </message>
+        <message>
+            <source>Ranges of the model</source>
+            <translation>기종의 범위</translation>
+        </message>
+        <message>
+            <source>Orders (REMOTE)</source>
+            <translation>지령 (REMOTE)</translation>
+        </message>
+        <message>
+            <source>Selecting a job</source>
+            <translation>잡 선택</translation>
+        </message>
+        <message>
+            <source>Starting a job</source>
+            <translation>잡 기동</translation>
+        </message>
+        <message>
+            <source>Switching servo on</source>
+            <translation>서보 ON</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>조그와 이동</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD (소프트웨어)</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Replacing files</source>
+            <translation>파일 바꾸기</translation>
+        </message>
+        <message>
+            <source>Numbering of variables</source>
+            <translation>변수 번호 방식</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>허용됨</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>허용되지 않음</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>알 수 없음</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>실측</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>가정</translation>
+        </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>읽을 수 없음</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>아직 읽지 않음</translation>
+        </message>
+        <message>
+            <source>In the way: %1.</source>
+            <translation>불가 원인: %1.</translation>
+        </message>
+        <message>
+            <source>HSES does not tell whether this is so: %1.</source>
+            <translation>다음이 충족되는지는 HSES로 알 수 없습니다: %1.</translation>
+        </message>
+        <message>
+            <source>What helps: %1.</source>
+            <translation>해결 방법: %1.</translation>
+        </message>
+        <message>
+            <source>Diagnose… in the rail finds out at which step it fails.</source>
+            <translation>내비게이션 바의 “진단…”으로 어느 단계에서 불합격인지 알 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Correct the model in the profile (Connect…).</source>
+            <translation>프로파일의 기종을 수정하십시오 (“연결…”).</translation>
+        </message>
+        <message>
+            <source>Use the pendant.</source>
+            <translation>펜던트를 사용하십시오.</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, readiness of %2 (%3), %4, %5</source>
+            <translation>Pendesk %1, %2의 준비 상태 (%3), %4, %5</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <comment>subject, allowance, evidence</comment>
+            <translation>%1: %2, %3</translation>
         </message>
     </context>
     <context>
@@ -1034,6 +1558,37 @@
         </message>
     </context>
     <context>
+        <name>dialogs::AppearanceDialog</name>
+        <message>
+            <source>As the desktop</source>
+            <translation>데스크톱 설정 따름</translation>
+        </message>
+        <message>
+            <source>Language and look</source>
+            <translation>언어와 모양</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>밝게</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>어둡게</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>언어(&amp;L)</translation>
+        </message>
+        <message>
+            <source>L&amp;ook</source>
+            <translation>모양(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Words of the robot and text from the controller stay as they are on the pendant.</source>
+            <translation>로봇의 용어와 컨트롤러의 텍스트는 펜던트의 표기 그대로 표시됩니다.</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::ApplyDialog</name>
         <message>
             <source>Variable</source>
@@ -1159,6 +1714,113 @@
         <message>
             <source>Copied</source>
             <translation>복사됨</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::HelpDialog</name>
+        <message>
+            <source>Help — %1</source>
+            <translation>도움말 — %1</translation>
+        </message>
+        <message>
+            <source>Search in this help</source>
+            <translation>이 도움말에서 검색</translation>
+        </message>
+        <message>
+            <source>Nothing here has these words.</source>
+            <translation>이 단어가 포함된 내용이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>도움말</translation>
+        </message>
+        <message>
+            <source>Keys of this page</source>
+            <translation>이 페이지의 키</translation>
+        </message>
+        <message>
+            <source>Keys everywhere</source>
+            <translation>모든 페이지 공통 키</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>메뉴</translation>
+        </message>
+        <message>
+            <source>Without a connection: connect to the controller on the filled button</source>
+            <translation>연결되지 않은 경우: 채워진 버튼의 컨트롤러에 연결</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>페이지</translation>
+        </message>
+        <message>
+            <source>Live: read within its last three turns.</source>
+            <translation>실시간: 최근 3회의 읽기 주기 안에 읽었습니다.</translation>
+        </message>
+        <message>
+            <source>Stale</source>
+            <translation>오래됨</translation>
+        </message>
+        <message>
+            <source>Stale: read once, too long ago. The tool tip says when. It is not what the robot does now.</source>
+            <translation>오래됨: 한 번 읽었으나 너무 오래되었습니다. 언제 읽었는지는 툴팁에 표시됩니다. 로봇의 현재 상태가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Unknown: not read on this connection. It is never shown as 0.</source>
+            <translation>알 수 없음: 이번 연결에서 읽지 않았습니다. 0으로 표시되는 일은 없습니다.</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>거부됨</translation>
+        </message>
+        <message>
+            <source>Refused: the controller does not tell it. The reason stands on the card or in the tool tip.</source>
+            <translation>거부됨: 컨트롤러가 알려 주지 않습니다. 이유는 카드 또는 툴팁에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>ON</translation>
+        </message>
+        <message>
+            <source>A filled square: on, or 1.</source>
+            <translation>채워진 사각형: ON 또는 1.</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>OFF</translation>
+        </message>
+        <message>
+            <source>A hollow square: off, or 0.</source>
+            <translation>빈 사각형: OFF 또는 0.</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>홀드 중</translation>
+        </message>
+        <message>
+            <source>An amber triangle: error, hold, something not allowed or to be looked at.</source>
+            <translation>황색 삼각형: 에러, 홀드, 허용되지 않는 것 또는 확인이 필요한 것.</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>A red square: an alarm.</source>
+            <translation>적색 사각형: 알람.</translation>
+        </message>
+        <message>
+            <source>What the signs mean</source>
+            <translation>기호의 의미</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>표시 예</translation>
+        </message>
+        <message>
+            <source>An amber ground in a table: typed and staged, not sent yet. A red one: it reads back differently from what was written.</source>
+            <translation>표의 황색 바탕: 입력하여 쓰기 예정이지만 아직 송신하지 않았습니다. 적색 바탕: 쓴 값과 다른 값이 읽혔습니다.</translation>
         </message>
     </context>
     <context>
@@ -1838,6 +2500,65 @@
         </message>
     </context>
     <context>
+        <name>dialogs::ReadinessSheet</name>
+        <message>
+            <source>Readiness — %1</source>
+            <translation>준비 상태 — %1</translation>
+        </message>
+        <message>
+            <source>What %1 allows now</source>
+            <translation>%1에서 현재 허용되는 것</translation>
+        </message>
+        <message>
+            <source>Readiness</source>
+            <translation>준비 상태</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>복사</translation>
+        </message>
+        <message>
+            <source>Copy the readiness and a diagnosis</source>
+            <translation>준비 상태와 진단 복사</translation>
+        </message>
+        <message>
+            <source>As text for support, with a diagnosis of the link, which takes a moment.</source>
+            <translation>지원용 텍스트로 복사합니다. 통신 진단을 포함하며 잠시 시간이 걸립니다.</translation>
+        </message>
+        <message>
+            <source>Test numbering…</source>
+            <translation>번호 방식 대조…</translation>
+        </message>
+        <message>
+            <source>It needs a link to the controller.</source>
+            <translation>컨트롤러와의 통신이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1: what is hatched was read before.</source>
+            <translation>%1에 통신이 끊어졌습니다. 빗금으로 표시된 것은 그 전에 읽은 것입니다.</translation>
+        </message>
+        <message>
+            <source>%1 has not answered yet.</source>
+            <translation>%1이(가) 아직 응답하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is read.</source>
+            <translation>연결되지 않음: 아무것도 읽지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The status was not read just now.</source>
+            <translation>상태가 최신이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>It is read live and changes nothing. HOLD works meanwhile: Pause key.</source>
+            <translation>실시간으로 읽으며 아무것도 변경하지 않습니다. 그동안에도 HOLD는 유효합니다: Pause 키.</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>복사됨</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
@@ -1942,21 +2663,6 @@
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
             <translation>▲ 파일을 원래대로 되돌릴 수 없었습니다. 컨트롤러를 확인하십시오.</translation>
-        </message>
-    </context>
-    <context>
-        <name>dialogs::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>키보드 단축키</translation>
-        </message>
-        <message>
-            <source>Page: %1</source>
-            <translation>페이지: %1</translation>
-        </message>
-        <message>
-            <source>Menu</source>
-            <translation>메뉴</translation>
         </message>
     </context>
     <context>
@@ -2668,6 +3374,10 @@
             <source>%1. %2</source>
             <translation>%1. %2</translation>
         </message>
+        <message>
+            <source>refused</source>
+            <translation>거부됨</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -2926,10 +3636,6 @@
         <message>
             <source>Cancel error accepted.</source>
             <translation>에러 취소가 수락되었습니다.</translation>
-        </message>
-        <message>
-            <source>New alarm %1: %2</source>
-            <translation>새 알람 %1: %2</translation>
         </message>
     </context>
     <context>
@@ -3303,6 +4009,10 @@
             <source>Exporting to %1…</source>
             <translation>%1(으)로 내보내는 중…</translation>
         </message>
+        <message>
+            <source>Files are still being read for a backup or a comparison.</source>
+            <translation>백업 또는 비교를 위해 아직 파일을 읽고 있습니다.</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>
@@ -3506,6 +4216,10 @@
             <source>Choose files on the right first.</source>
             <translation>먼저 오른쪽에서 파일을 선택하십시오.</translation>
         </message>
+        <message>
+            <source>Files are still being transferred.</source>
+            <translation>파일이 아직 전송 중입니다.</translation>
+        </message>
     </context>
     <context>
         <name>pages::GroupCard</name>
@@ -3582,14 +4296,6 @@
         <message>
             <source>Area of signals</source>
             <translation>신호 범위</translation>
-        </message>
-        <message>
-            <source>Go to</source>
-            <translation>바로 가기</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>바로 가기…  Ctrl+G</translation>
         </message>
         <message>
             <source>Watched signals</source>
@@ -4252,37 +4958,6 @@
         </message>
     </context>
     <context>
-        <name>pages::NotConnectedPanel</name>
-        <message>
-            <source>Connect to %1</source>
-            <translation>%1에 연결</translation>
-        </message>
-        <message>
-            <source>Another controller…</source>
-            <translation>다른 컨트롤러…</translation>
-        </message>
-        <message>
-            <source>Connect…</source>
-            <translation>연결…</translation>
-        </message>
-        <message>
-            <source>Open the demo</source>
-            <translation>데모 열기</translation>
-        </message>
-        <message>
-            <source>Not connected</source>
-            <translation>연결되지 않음</translation>
-        </message>
-        <message>
-            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
-            <translation>아무것도 읽지 않고 아무것도 표시하지 않습니다. 네트워크의 로봇 컨트롤러에 이름 또는 주소로 연결하십시오. 컨트롤러의 이더넷 서버가 켜져 있어야 합니다.</translation>
-        </message>
-        <message>
-            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
-            <translation>연결은 읽기만 합니다. 로봇이 없으면 데모의 시뮬레이션 컨트롤러를 사용할 수 있습니다.</translation>
-        </message>
-    </context>
-    <context>
         <name>pages::Offers</name>
         <message>
             <source>Before sending</source>
@@ -4672,6 +5347,53 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>pages::StartPanel</name>
+        <message>
+            <source>Start</source>
+            <translation>시작</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>연결되지 않음</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connecting only reads: nothing is written, started or moved by it.</source>
+            <translation>아무것도 읽지 않고 아무것도 표시하지 않습니다. 연결은 읽기만 하며, 연결로 인해 쓰기, 기동, 이동이 수행되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Connect to a controller…</source>
+            <translation>컨트롤러에 연결…</translation>
+        </message>
+        <message>
+            <source>A controller in your network</source>
+            <translation>네트워크의 컨트롤러</translation>
+        </message>
+        <message>
+            <source>Enter its name or address. Pendesk checks step by step whether it answers, and says what is wrong where it does not.</source>
+            <translation>이름 또는 주소를 입력하십시오. Pendesk는 컨트롤러가 응답하는지 단계별로 확인하고, 응답하지 않으면 무엇이 잘못되었는지 알려 줍니다.</translation>
+        </message>
+        <message>
+            <source>No robot at hand</source>
+            <translation>가까이에 로봇이 없는 경우</translation>
+        </message>
+        <message>
+            <source>The demo brings a simulated controller in this program. Everything can be tried with it, and no robot moves.</source>
+            <translation>데모에서는 이 프로그램 안의 시뮬레이션 컨트롤러를 사용합니다. 모든 것을 시험할 수 있으며 로봇은 움직이지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>데모 열기</translation>
+        </message>
+        <message>
+            <source>Recent controllers</source>
+            <translation>최근 컨트롤러</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>다른 컨트롤러…</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::StateCard</name>
         <message>
             <source>State</source>
@@ -4968,14 +5690,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>변수</translation>
         </message>
         <message>
-            <source>Go to</source>
-            <translation>바로 가기</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>바로 가기…  Ctrl+G</translation>
-        </message>
-        <message>
             <source>Import…</source>
             <translation>가져오기…</translation>
         </message>
@@ -5033,6 +5747,12 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>%1 stays as it is: %2</source>
             <comment>variable: reason</comment>
             <translation>%1은(는) 그대로 유지됩니다: %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n staged value(s) were not applied.</source>
+            <translation>
+                <numerusform>쓰기 예정인 값 %n개가 적용되지 않았습니다.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5116,6 +5836,71 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>pages::start::RecentTile</name>
+        <message>
+            <source>no connection noted yet</source>
+            <translation>아직 연결 기록 없음</translation>
+        </message>
+        <message>
+            <source>connected today %1</source>
+            <comment>the time</comment>
+            <translation>오늘 %1에 연결됨</translation>
+        </message>
+        <message>
+            <source>connected yesterday %1</source>
+            <comment>the time</comment>
+            <translation>어제 %1에 연결됨</translation>
+        </message>
+        <message>
+            <source>connected %1 %2</source>
+            <comment>the date, the time</comment>
+            <translation>%1 %2에 연결됨</translation>
+        </message>
+        <message>
+            <source>Connect to %1</source>
+            <translation>%1에 연결</translation>
+        </message>
+        <message>
+            <source>simulation</source>
+            <translation>시뮬레이션</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::start::SetupCard</name>
+        <message>
+            <source>What must be set on the pendant</source>
+            <translation>펜던트에서 설정해야 하는 것</translation>
+        </message>
+        <message>
+            <source>Menus differ by model and software</source>
+            <translation>메뉴는 기종과 소프트웨어에 따라 다릅니다</translation>
+        </message>
+        <message>
+            <source>To be found</source>
+            <translation>컨트롤러를 찾으려면</translation>
+        </message>
+        <message>
+            <source>The Ethernet server function (HSES) is on; it is an option of DX100, DX200 and FS100. The controller has an IPv4 address in the network of this computer, and no firewall between them drops UDP %1 and %2.</source>
+            <translation>이더넷 서버 기능(HSES)이 ON이어야 합니다. DX100, DX200, FS100에서는 옵션입니다. 컨트롤러에 이 컴퓨터와 같은 네트워크의 IPv4 주소가 있어야 하며, 그 사이의 방화벽이 UDP %1과(와) %2을(를) 차단하지 않아야 합니다.</translation>
+        </message>
+        <message>
+            <source>To take orders</source>
+            <translation>지령을 받게 하려면</translation>
+        </message>
+        <message>
+            <source>Only for starting, moving, resetting and files, not for reading: %1.</source>
+            <translation>기동, 이동, 리셋, 파일에만 필요하며 읽기에는 필요하지 않습니다: %1.</translation>
+        </message>
+        <message>
+            <source>To select and replace</source>
+            <translation>선택하고 바꾸려면</translation>
+        </message>
+        <message>
+            <source>For selecting jobs from here: %1. For replacing files that exist there: %2.</source>
+            <translation>여기서 잡을 선택하려면: %1. 컨트롤러에 이미 있는 파일을 바꾸려면: %2.</translation>
+        </message>
+    </context>
+    <context>
         <name>pendesk</name>
         <message>
             <source>A teach and monitor desk for Yaskawa robot controllers.</source>
@@ -5165,20 +5950,20 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>--pictures needs a folder, and --demo, --host or --profile.</source>
             <translation>--pictures에는 폴더와 --demo, --host, --profile 중 하나가 필요합니다.</translation>
         </message>
+        <message>
+            <source>Write one picture of all pages, light and dark, in English, German and Japanese, and end.</source>
+            <translation>모든 페이지를 밝은 테마와 어두운 테마, 영어·독일어·일본어로 그림 한 장에 쓰고 종료합니다.</translation>
+        </message>
+        <message>
+            <source>--contact-sheet needs a file, and --demo, --host or --profile.</source>
+            <translation>--contact-sheet에는 파일과 --demo, --host, --profile 중 하나가 필요합니다.</translation>
+        </message>
     </context>
     <context>
         <name>pendesk::Pictures</name>
         <message>
-            <source>pendesk: the folder %1 cannot be made.</source>
-            <translation>pendesk: 폴더 %1을(를) 만들 수 없습니다.</translation>
-        </message>
-        <message>
             <source>not everything was read</source>
             <translation>모두 읽지는 못했습니다</translation>
-        </message>
-        <message>
-            <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk: 5초 이내에 실시간 컨트롤러가 없습니다: %1.</translation>
         </message>
         <message>
             <source>pendesk: %1 cannot be written.</source>
@@ -5227,6 +6012,22 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>Pictures are in %1</source>
             <translation>그림 저장 위치: %1</translation>
+        </message>
+        <message>
+            <source>the folder %1 cannot be made</source>
+            <translation>폴더 %1을(를) 만들 수 없습니다</translation>
+        </message>
+        <message>
+            <source>no live controller within 5 s: %1</source>
+            <translation>5초 이내에 실시간 컨트롤러가 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written</source>
+            <translation>%1에 쓸 수 없습니다</translation>
+        </message>
+        <message>
+            <source>pendesk: %1.</source>
+            <translation>pendesk: %1.</translation>
         </message>
     </context>
     <context>
@@ -6827,6 +7628,13 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>ui::Announcer</name>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>새 알람 %1: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ArmBadge</name>
         <message>
             <source>This controller is armed: press to disarm.</source>
@@ -6968,6 +7776,14 @@ HOLD는 네트워크를 통한 소프트웨어 홀드이며 안전 기능이 아
         <message>
             <source>%1 requests/s</source>
             <translation>%1 요청/초</translation>
+        </message>
+        <message>
+            <source>Something is unfinished</source>
+            <translation>완료되지 않은 것이 있습니다</translation>
+        </message>
+        <message>
+            <source>Go on and lose it</source>
+            <translation>폐기하고 계속</translation>
         </message>
     </context>
     <context>
@@ -7523,6 +8339,17 @@ HOLD는 네트워크를 통한 소프트웨어 홀드이며 안전 기능이 아
             <translation>
                 <numerusform>외 %n건</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::GoToEdit</name>
+        <message>
+            <source>Go to</source>
+            <translation>바로 가기</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>바로 가기…  Ctrl+G</translation>
         </message>
     </context>
     <context>

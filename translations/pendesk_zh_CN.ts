@@ -44,16 +44,24 @@
             <translation>复制诊断结果</translation>
         </message>
         <message>
-            <source>Keyboard shortcuts</source>
-            <translation>键盘快捷键</translation>
-        </message>
-        <message>
             <source>About Pendesk</source>
             <translation>关于 Pendesk</translation>
         </message>
         <message>
             <source>Quit</source>
             <translation>退出</translation>
+        </message>
+        <message>
+            <source>Language and look…</source>
+            <translation>语言和外观…</translation>
+        </message>
+        <message>
+            <source>Readiness…</source>
+            <translation>就绪状态…</translation>
+        </message>
+        <message>
+            <source>Help and shortcuts</source>
+            <translation>帮助和快捷键</translation>
         </message>
     </context>
     <context>
@@ -644,10 +652,6 @@
             <translation>请将参数 RS029 和 RS214 设为 1：%1</translation>
         </message>
         <message>
-            <source>IN/OUT, PSEUDO INPUT SIG, #82015</source>
-            <translation>IN/OUT，PSEUDO INPUT SIG，#82015</translation>
-        </message>
-        <message>
             <source>SETUP, FUNCTION COND. or FUNCTION ENABLE</source>
             <translation>SETUP，FUNCTION COND. 或 FUNCTION ENABLE</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>PARAMETER, RS (management mode)</source>
             <translation>PARAMETER，RS（管理模式）</translation>
+        </message>
+        <message>
+            <source>IN/OUT, PSEUDO INPUT SIG, CMD REMOTE SEL (#82015 on a DX100)</source>
+            <translation>IN/OUT，PSEUDO INPUT SIG，CMD REMOTE SEL（DX100 上为 #82015）</translation>
         </message>
     </context>
     <context>
@@ -828,6 +836,302 @@
             <source>Journal</source>
             <translation>日志</translation>
         </message>
+        <message>
+            <source>The state of the robot at a glance: mode, cycle, servo, run, the three causes of a hold, alarm, error and speed limit, the executing job, the position of R1, and how well the link works.</source>
+            <translation>机器人状态一览：模式、循环、伺服、运行、HOLD 的三种来源、报警、错误和速度限制、正在执行的程序、R1 的位置，以及链路的工作情况。</translation>
+        </message>
+        <message>
+            <source>“What can I do now?” lists what may be ordered. ✓ may be tried, ✗ may not, with the first reason beside it.</source>
+            <translation>“现在可以做什么？”列出可以发送的命令。✓ 表示可以尝试，✗ 表示不可以，旁边给出第一个原因。</translation>
+        </message>
+        <message>
+            <source>Bits that contradict each other, such as TEACH and PLAY, are shown side by side as they were received, under ▲.</source>
+            <translation>相互矛盾的位（例如 TEACH 和 PLAY）按接收到的原样并列显示，并带有 ▲。</translation>
+        </message>
+        <message>
+            <source>Copy beside the system information takes model and software to the clipboard. The right mouse button on a number adds it to the trend.</source>
+            <translation>系统信息旁的“复制”将机型和软件复制到剪贴板。在数值上使用鼠标右键可将其添加到趋势。</translation>
+        </message>
+        <message>
+            <source>Up to four active alarms, the newest first, and the past alarms that were read from the controller.</source>
+            <translation>最多四个当前报警，最新的在前，以及从控制器读取的过去的报警。</translation>
+        </message>
+        <message>
+            <source>Acknowledge is noted on this computer only: the robot does not hear of it.</source>
+            <translation>“确认”仅记录在本计算机上，不会通知机器人。</translation>
+        </message>
+        <message>
+            <source>Reset alarm and Cancel error are orders: they need REMOTE and the level Operate, and say before what they clear. After a reset that was accepted an alarm may stay: then its cause is still there.</source>
+            <translation>“报警复位”和“解除错误”是命令：需要 REMOTE 和“操作”级别，并会事先说明将清除的内容。复位被接受后报警可能仍在：此时其原因尚未消除。</translation>
+        </message>
+        <message>
+            <source>Read now fetches the history and keeps it in the journal, even after the controller has dropped it. Most frequent counts codes.</source>
+            <translation>“立即读取”获取履历并保存在日志中，即使控制器之后已将其删除也会保留。“最频繁”按代码统计次数。</translation>
+        </message>
+        <message>
+            <source>Notes keep what caused a code and what was done, on this computer.</source>
+            <translation>“备注”记录某个代码的原因和采取的措施，保存在本计算机上。</translation>
+        </message>
+        <message>
+            <source>All signals of one area, a group of eight in a row. A filled square is 1, a hollow one 0; a frame marks what changed in the last two seconds.</source>
+            <translation>一个区域的所有信号，每行一组八个。实心方块为 1，空心方块为 0；边框标出最近两秒内改变的信号。</translation>
+        </message>
+        <message>
+            <source>Only network inputs can be written over HSES, by an engineer. A write reads the group, changes one bit, shows old and new, and reads back: eight bits travel together.</source>
+            <translation>通过 HSES 只能写入网络输入，且需要“工程师”级别。写入时先读取该组，改变一位，显示旧值和新值，然后回读：八位成组传送。</translation>
+        </message>
+        <message>
+            <source>Names come from the controller's IONAME.DAT. The right mouse button names a signal here, or puts it on the tab Watch.</source>
+            <translation>名称来自控制器的 IONAME.DAT。使用鼠标右键可在本机为信号命名，或将其放到“关注”选项卡上。</translation>
+        </message>
+        <message>
+            <source>Watch counts edges and draws the last minute. It reads four times a second: shorter pulses are not seen.</source>
+            <translation>“关注”对边沿计数，并绘制最近一分钟。每秒读取四次：更短的脉冲检测不到。</translation>
+        </message>
+        <message>
+            <source>Go to takes #27010 as well as IN#(1).</source>
+            <translation>“转到”可输入 #27010，也可输入 IN#(1)。</translation>
+        </message>
+        <message>
+            <source>The registers M000 to M999, as decimal, signed, hexadecimal or binary numbers. Only the rows in view are read.</source>
+            <translation>寄存器 M000 至 M999，以十进制、有符号、十六进制或二进制数显示。仅读取可见的行。</translation>
+        </message>
+        <message>
+            <source>M000 to M559 can be written by an engineer; the others belong to the ladder.</source>
+            <translation>M000 至 M559 可由工程师写入；其余属于梯形图。</translation>
+        </message>
+        <message>
+            <source>Enter in the editor stages a value: it turns amber and nothing is sent. Apply shows old and new of all staged values, writes each once, and reads it back.</source>
+            <translation>在编辑器中按 Enter 会暂存一个值：该值变为琥珀色，不发送任何内容。“应用”显示所有暂存值的旧值和新值，每个值写入一次并回读。</translation>
+        </message>
+        <message>
+            <source>A value that reads back differently is red and stays. Undo last stages the values from before the last Apply.</source>
+            <translation>回读不一致的值显示为红色并保留。“撤销上次”暂存上次“应用”之前的值。</translation>
+        </message>
+        <message>
+            <source>The variables B I D R S P BP and EX with their names, their value before, and when they changed. Only the rows in view are read.</source>
+            <translation>变量 B I D R S P BP 和 EX，及其名称、上一值和改变时间。仅读取可见的行。</translation>
+        </message>
+        <message>
+            <source>Nothing is written before the numbering was compared with the pendant: Verify… does that, and only reads.</source>
+            <translation>与示教编程器比较编号之前，不写入任何内容：“验证…”进行该比较，且仅进行读取。</translation>
+        </message>
+        <message>
+            <source>Import and Export take CSV files; cells of a spreadsheet can be pasted. Both show first what would differ.</source>
+            <translation>“导入”和“导出”使用 CSV 文件；也可粘贴电子表格的单元格。导入和粘贴都会先显示将有的差异。</translation>
+        </message>
+        <message>
+            <source>A watch page is a list of your own: the right mouse button puts rows of any tab on it.</source>
+            <translation>关注页是您自己的列表：使用鼠标右键可将任意选项卡中的行放到关注页上。</translation>
+        </message>
+        <message>
+            <source>The tool point in the base frame, with form and tool; the axes in pulses with following error, torque and temperature where the model tells them; and the path of the tool point.</source>
+            <translation>基座坐标下的工具控制点，及其形态和工具；以脉冲表示的轴，以及机型提供时的跟随误差、转矩和温度；工具控制点的轨迹。</translation>
+        </message>
+        <message>
+            <source>Degrees of axes stand here only where the profile gives pulses per degree: the controller does not tell them.</source>
+            <translation>仅当配置中给出每度脉冲数时，此处才显示轴的度数：控制器不提供度数。</translation>
+        </message>
+        <message>
+            <source>Torque is shown as the controller sends it: its unit is stated nowhere.</source>
+            <translation>转矩按控制器发送的原样显示：单位未见任何说明。</translation>
+        </message>
+        <message>
+            <source>Min and max count from the last reset, while this page is read. Copy as text takes the table in view.</source>
+            <translation>“最小”和“最大”自上次重置起统计，且仅在读取此页面期间统计。“复制为文本”复制当前显示的表格。</translation>
+        </message>
+        <message>
+            <source>Control groups that the controller refuses have no tab; the line beside the tabs counts them.</source>
+            <translation>被控制器拒绝的控制轴组没有选项卡；选项卡旁的一行显示其数量。</translation>
+        </message>
+        <message>
+            <source>Moves the robot by orders, in automatic operation. The pendant's enabling switch does not protect anyone here, and nobody may be inside the fence. It is off in TEACH, always.</source>
+            <translation>在自动运行中通过命令移动机器人。示教编程器的使能开关（安全开关）在此不保护任何人，任何人不得在安全围栏内。在 TEACH 下始终不可用。</translation>
+        </message>
+        <message>
+            <source>Arming needs the level Operate, REMOTE and PLAY; moving needs Engineer too. Losing the focus, a minute without a key or the mouse, an alarm or a lost link disarms.</source>
+            <translation>激活需要“操作”级别、REMOTE 和 PLAY；移动还需要“工程师”级别。失去焦点、一分钟内无键盘或鼠标操作、发生报警或链路中断时，将取消激活。</translation>
+        </message>
+        <message>
+            <source>Jog sends one bounded step after another while a button is held. Letting go sends no more steps and holds the one that runs; after a lost link the robot still ends its step.</source>
+            <translation>按住按钮期间，“点动”逐步发送有限步距的移动。松开后不再发送新的步，并对正在执行的一步执行 HOLD；链路中断后，机器人仍会走完当前这一步。</translation>
+        </message>
+        <message>
+            <source>Move shows present place, target and change first. Rehearse… opens the sheet on which the move is confirmed.</source>
+            <translation>“移动”先显示当前位置、目标和变化量。“预检…”打开确认移动的对话框。</translation>
+        </message>
+        <message>
+            <source>What was sent without an answer is called unknown, never failed: look at the robot.</source>
+            <translation>已发送但没有应答的操作称为“未知”，绝不称为失败：请查看机器人。</translation>
+        </message>
+        <message>
+            <source>Draws any number over time. Drag it here from a page, choose “Add to trend” in its menu, or use Add signal….</source>
+            <translation>绘制任意数值随时间的变化。可从某个页面将数值拖到此处，在其菜单中选择“添加到趋势”，或使用“添加信号…”。</translation>
+        </message>
+        <message>
+            <source>Pause freezes the view; recording goes on. Gaps in a curve are times in which nothing was read.</source>
+            <translation>“暂停”冻结视图；记录继续进行。曲线中的间断表示该时段未读取任何内容。</translation>
+        </message>
+        <message>
+            <source>The time box chooses how long a time is in view; under the cursor stand the values of that moment.</source>
+            <translation>时间框选择视图显示的时间长度；同时显示光标所在时刻的值。</translation>
+        </message>
+        <message>
+            <source>An incident keeps 60 s before and 20 s after an alarm came up. It can be opened here later.</source>
+            <translation>事件保存发生报警前 60 s 和后 20 s 的内容。之后可在此处打开。</translation>
+        </message>
+        <message>
+            <source>Export CSV… writes what is in view, with times in UTC.</source>
+            <translation>“导出 CSV…”写出视图中的内容，时间为 UTC。</translation>
+        </message>
+        <message>
+            <source>The jobs on the controller and the text of the chosen one, with the line that is executed. A banner says when the text may be old.</source>
+            <translation>控制器上的程序，以及所选程序的内容和正在执行的行。内容可能已过时时，会显示横幅提示。</translation>
+        </message>
+        <message>
+            <source>“Selected” and “Executing” are two things: what a start would begin, and what runs.</source>
+            <translation>“已选择”和“执行中”是两回事：前者是启动时将开始的程序，后者是正在运行的程序。</translation>
+        </message>
+        <message>
+            <source>Start needs REMOTE, PLAY, servo on, the level Operate and an armed controller. Its sheet names controller, job and line, and the button works after one second. Nothing is ever started twice.</source>
+            <translation>“启动”需要 REMOTE、PLAY、伺服已接通、“操作”级别以及控制器已激活。其对话框写明控制器、程序和行，按钮在一秒后才可用。绝不会重复启动。</translation>
+        </message>
+        <message>
+            <source>Buttons show what was read. “Pending” stands until the status agrees.</source>
+            <translation>按钮显示读取到的状态。在状态与请求一致之前，显示“等待中”。</translation>
+        </message>
+        <message>
+            <source>HOLD from here can be released here. A hold by the pendant is released there.</source>
+            <translation>从此处执行的 HOLD 可在此处解除。由示教编程器保持的 HOLD 在示教编程器上解除。</translation>
+        </message>
+        <message>
+            <source>“Why not?” beside a button lists all its conditions.</source>
+            <translation>按钮旁的“为什么不可以？”列出其所有条件。</translation>
+        </message>
+        <message>
+            <source>Files of this computer on the left, of the controller on the right, by type.</source>
+            <translation>左侧为本计算机的文件，右侧为控制器的文件，按类型显示。</translation>
+        </message>
+        <message>
+            <source>Fetch only reads. Send and Delete are for engineers and need REMOTE on.</source>
+            <translation>“获取”仅进行读取。“发送”和“删除”需要“工程师”级别，且 REMOTE 已接通。</translation>
+        </message>
+        <message>
+            <source>A file that exists already is asked about: compare it, replace it, or leave it, which is the default. A file cut off half way never replaces a good one.</source>
+            <translation>文件已存在时会询问：比较、替换，或保留不变（默认）。中途截断的文件绝不会替换完好的文件。</translation>
+        </message>
+        <message>
+            <source>Before a job is sent its text is checked, and afterwards it is read back and compared.</source>
+            <translation>发送程序之前检查其内容，发送之后回读并比较。</translation>
+        </message>
+        <message>
+            <source>Transfers lists every file with its bytes and state. Retry failed sends none that was finished.</source>
+            <translation>“传输”列出每个文件及其字节数和状态。“重试失败项”不会发送已完成的文件。</translation>
+        </message>
+        <message>
+            <source>Backups of this controller, the newest first, with the files that are missing in each. ▲ marks one that is not whole.</source>
+            <translation>此控制器的备份，最新的在前，并列出每个备份中缺少的文件。▲ 标出不完整的备份。</translation>
+        </message>
+        <message>
+            <source>Back up now reads every file into a new folder with a checksum of each. A file that fails does not stop the rest.</source>
+            <translation>“立即备份”将每个文件读取到新文件夹中，并为每个文件记录校验和。某个文件失败不会中止其余文件。</translation>
+        </message>
+        <message>
+            <source>Verify reads every byte again. Compare finds what differs from another backup or from the controller now; dates and counters are left out, and the page says which.</source>
+            <translation>“验证”重新读取每个字节。“比较”找出与另一个备份或与当前的控制器之间的差异；日期和计数器不计入，页面会说明不计入的内容。</translation>
+        </message>
+        <message>
+            <source>Restore… plans first, makes a fresh backup, sends what changed, and reads it back. It needs an engineer and REMOTE, and no job may run.</source>
+            <translation>“恢复…”先制定计划，做一次新的备份，发送已改变的内容，然后回读。需要“工程师”级别和 REMOTE，且没有程序在运行。</translation>
+        </message>
+        <message>
+            <source>Old backups go by number and age as set below the list, never the last good one or a pinned one.</source>
+            <translation>旧备份按列表下方设定的数量和时间删除；最后一个完好的备份和已固定的备份绝不会被删除。</translation>
+        </message>
+        <message>
+            <source>Everything that was tried from here: writes, starts, moves, servo, files, and what was refused or withheld, with user, old and new value, and the controller's answer.</source>
+            <translation>从此处尝试过的所有操作：写入、启动、移动、伺服、文件，以及被拒绝或未发送的操作，并附有操作者、旧值、新值和控制器的应答。</translation>
+        </message>
+        <message>
+            <source>“Unknown” means that no answer came: it may have happened.</source>
+            <translation>“未知”表示没有收到应答：操作可能已执行。</translation>
+        </message>
+        <message>
+            <source>Filter by controller, kind, time and outcome, or search in all texts. Older records come when scrolling down.</source>
+            <translation>可按控制器、内容、时间和结果筛选，或搜索所有文本。向下滚动时会显示更早的记录。</translation>
+        </message>
+        <message>
+            <source>The journal is kept on this computer for all controllers and can be read without a connection. Export writes what the filter shows.</source>
+            <translation>所有控制器的日志都保存在本计算机上，无需连接即可查看。“导出”写出符合筛选条件的记录。</translation>
+        </message>
+        <message>
+            <source>Go to a signal</source>
+            <translation>转到某个信号</translation>
+        </message>
+        <message>
+            <source>Write the signal (network inputs)</source>
+            <translation>写入信号（网络输入）</translation>
+        </message>
+        <message>
+            <source>On the tab Watch: watch the signal no longer</source>
+            <translation>在“关注”选项卡上：取消关注该信号</translation>
+        </message>
+        <message>
+            <source>Go to a register</source>
+            <translation>转到某个寄存器</translation>
+        </message>
+        <message>
+            <source>Open the editor; in it: stage the value</source>
+            <translation>打开编辑器；在编辑器中：暂存该值</translation>
+        </message>
+        <message>
+            <source>Discard the staged value</source>
+            <translation>放弃暂存的值</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows</source>
+            <translation>复制所选的行</translation>
+        </message>
+        <message>
+            <source>Paste cells: they are staged after a preview</source>
+            <translation>粘贴单元格：预览后暂存</translation>
+        </message>
+        <message>
+            <source>Go to a variable</source>
+            <translation>转到某个变量</translation>
+        </message>
+        <message>
+            <source>Held on a jog button: steps, if keyboard jog was switched on</source>
+            <translation>在点动按钮上按住：逐步移动（须已开启键盘点动）</translation>
+        </message>
+        <message>
+            <source>In the sheet of the move, after typing its words: move</source>
+            <translation>在移动对话框中，输入指定文字后：移动</translation>
+        </message>
+        <message>
+            <source>In the plot: move the cursor</source>
+            <translation>在曲线图中：移动光标</translation>
+        </message>
+        <message>
+            <source>In the plot: cursor to the oldest or newest time in view</source>
+            <translation>在曲线图中：将光标移到视图中最早或最新的时间</translation>
+        </message>
+        <message>
+            <source>In the plot: take the cursor away</source>
+            <translation>在曲线图中：移除光标</translation>
+        </message>
+        <message>
+            <source>In the list of signals: remove it from the trend</source>
+            <translation>在信号列表中：从趋势中移除该信号</translation>
+        </message>
+        <message>
+            <source>In the start sheet, after typing its words: start</source>
+            <translation>在启动对话框中，输入指定文字后：启动</translation>
+        </message>
+        <message>
+            <source>Copy the chosen rows of the list with the focus</source>
+            <translation>复制焦点所在列表中所选的行</translation>
+        </message>
     </context>
     <context>
         <name>QFileDialog</name>
@@ -838,6 +1142,226 @@
         <message>
             <source>JSON (*.json)</source>
             <translation>JSON (*.json)</translation>
+        </message>
+    </context>
+    <context>
+        <name>Readiness</name>
+        <message>
+            <source>A signal group and a B variable were asked for: %1.</source>
+            <translation>已请求一个信号组和一个 B 变量：%1。</translation>
+        </message>
+        <message>
+            <source>A signal group and a B variable are asked for while this sheet is open. Writing needs no REMOTE; whether data are protected cannot be read.</source>
+            <translation>此对话框打开期间会请求一个信号组和一个 B 变量。写入不需要 REMOTE；数据是否受保护无法读取。</translation>
+        </message>
+        <message>
+            <source>The software version, which tells the model, was not read yet.</source>
+            <translation>尚未读取用于判断机型的软件版本。</translation>
+        </message>
+        <message>
+            <source>The profile says %1, but %2 is the software of a %3.</source>
+            <translation>配置中为 %1，但 %2 是 %3 的软件。</translation>
+        </message>
+        <message>
+            <source>The software %1 does not tell the model. The ranges are those of the profile's %2.</source>
+            <translation>从软件 %1 无法得知机型。所用范围为配置中 %2 的范围。</translation>
+        </message>
+        <message>
+            <source>The software %1 is that of a %2. Its ranges come from a table, not from the controller.</source>
+            <translation>软件 %1 是 %2 的软件。其范围来自对照表，而不是来自控制器。</translation>
+        </message>
+        <message>
+            <source>The last HOLD was refused: %1.</source>
+            <translation>上次 HOLD 被拒绝：%1。</translation>
+        </message>
+        <message>
+            <source>The last HOLD was confirmed by the status. It is a software hold, no emergency stop.</source>
+            <translation>上次 HOLD 已由状态确认。这是软件 HOLD，不是急停。</translation>
+        </message>
+        <message>
+            <source>The last HOLD was sent, and the status did not confirm it.</source>
+            <translation>上次 HOLD 已发送，但状态未予确认。</translation>
+        </message>
+        <message>
+            <source>It needs neither REMOTE nor an access level, and was not tried. It is a software hold, no emergency stop.</source>
+            <translation>既不需要 REMOTE，也不需要访问级别；尚未尝试过。这是软件 HOLD，不是急停。</translation>
+        </message>
+        <message>
+            <source>A list of jobs was asked for at port %1: %2.</source>
+            <translation>已向端口 %1 请求程序列表：%2。</translation>
+        </message>
+        <message>
+            <source>A list of jobs is asked for at port %1.</source>
+            <translation>将向端口 %1 请求程序列表。</translation>
+        </message>
+        <message>
+            <source>Port %1 lists the jobs. Sending and deleting files need REMOTE.</source>
+            <translation>端口 %1 可列出程序。发送和删除文件需要 REMOTE。</translation>
+        </message>
+        <message>
+            <source>This simulation has B000 at number %1 on the network.</source>
+            <translation>此仿真中，网络编号 %1 为 B000。</translation>
+        </message>
+        <message>
+            <source>The software version, with which it was compared, was not read yet.</source>
+            <translation>尚未读取软件版本，因此无法与比较编号时的软件版本核对。</translation>
+        </message>
+        <message>
+            <source>It was compared with software %1, but %2 runs now: variables are not written before it is compared again.</source>
+            <translation>比较时的软件为 %1，但现在运行的是 %2：重新比较之前不写入变量。</translation>
+        </message>
+        <message>
+            <source>Whether B000 is number 0 or 1 on the network is unverified; variables are not written.</source>
+            <translation>B000 的网络编号是 0 还是 1 未经验证；不写入变量。</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1: number 0 on the network is B000.</source>
+            <translation>已于 %1 与示教编程器比较：网络编号 0 为 B000。</translation>
+        </message>
+        <message>
+            <source>Compared with the pendant on %1, shifted: number 1 on the network is B000.</source>
+            <translation>已于 %1 与示教编程器比较，有偏移：网络编号 1 为 B000。</translation>
+        </message>
+        <message>
+            <source>The controller does not answer any more. Reading resumes by itself.</source>
+            <translation>控制器不再应答。将自动恢复读取。</translation>
+        </message>
+        <message>
+            <source>The controller tells its status and system information. Reading needs no REMOTE.</source>
+            <translation>控制器提供其状态和系统信息。读取不需要 REMOTE。</translation>
+        </message>
+        <message>
+            <source>Orders are taken in command remote alone: start, select, reset, cycle, servo on.</source>
+            <translation>仅在启用命令远程时接受命令：启动、选择、复位、循环、接通伺服。</translation>
+        </message>
+        <message>
+            <source>It needs REMOTE, and that no job runs.</source>
+            <translation>需要 REMOTE，且没有程序在运行。</translation>
+        </message>
+        <message>
+            <source>It needs PLAY, REMOTE, servo on and a job, and nothing that holds the robot.</source>
+            <translation>需要 PLAY、REMOTE、伺服已接通和已选择程序，且没有任何来源使机器人保持 HOLD。</translation>
+        </message>
+        <message>
+            <source>It needs PLAY and REMOTE. Servo off can always be ordered from here; whether it is taken without REMOTE is up to the controller.</source>
+            <translation>需要 PLAY 和 REMOTE。断开伺服的命令始终可以从此处发送；没有 REMOTE 时是否接受由控制器决定。</translation>
+        </message>
+        <message>
+            <source>They need what a start needs, but for the job, and a model that knows them.</source>
+            <translation>除程序外，所需条件与启动相同，并且机型须支持这些命令。</translation>
+        </message>
+        <message>
+            <source>Sending a file that exists there needs REMOTE and two parameters.</source>
+            <translation>发送控制器上已存在的文件需要 REMOTE 和两个参数。</translation>
+        </message>
+        <message>
+            <source>Reading</source>
+            <translation>读取</translation>
+        </message>
+        <message>
+            <source>I/O and variables</source>
+            <translation>I/O 和变量</translation>
+        </message>
+        <message>
+            <source>Ranges of the model</source>
+            <translation>机型的范围</translation>
+        </message>
+        <message>
+            <source>Orders (REMOTE)</source>
+            <translation>命令（REMOTE）</translation>
+        </message>
+        <message>
+            <source>Selecting a job</source>
+            <translation>选择程序</translation>
+        </message>
+        <message>
+            <source>Starting a job</source>
+            <translation>启动程序</translation>
+        </message>
+        <message>
+            <source>Switching servo on</source>
+            <translation>接通伺服</translation>
+        </message>
+        <message>
+            <source>Jog and move</source>
+            <translation>点动和移动</translation>
+        </message>
+        <message>
+            <source>HOLD (software)</source>
+            <translation>HOLD（软件）</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Replacing files</source>
+            <translation>替换文件</translation>
+        </message>
+        <message>
+            <source>Numbering of variables</source>
+            <translation>变量编号</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>允许</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>不允许</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>未知</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>实测</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>推定</translation>
+        </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>无法读取</translation>
+        </message>
+        <message>
+            <source>not read yet</source>
+            <translation>尚未读取</translation>
+        </message>
+        <message>
+            <source>In the way: %1.</source>
+            <translation>阻碍因素：%1。</translation>
+        </message>
+        <message>
+            <source>HSES does not tell whether this is so: %1.</source>
+            <translation>HSES 不提供以下各项是否成立：%1。</translation>
+        </message>
+        <message>
+            <source>What helps: %1.</source>
+            <translation>解决办法：%1。</translation>
+        </message>
+        <message>
+            <source>Diagnose… in the rail finds out at which step it fails.</source>
+            <translation>导航栏中的“诊断…”可查明在哪一步失败。</translation>
+        </message>
+        <message>
+            <source>Correct the model in the profile (Connect…).</source>
+            <translation>请在配置中更正机型（“连接…”）。</translation>
+        </message>
+        <message>
+            <source>Use the pendant.</source>
+            <translation>请使用示教编程器。</translation>
+        </message>
+        <message>
+            <source>Pendesk %1, readiness of %2 (%3), %4, %5</source>
+            <translation>Pendesk %1，%2（%3）的就绪状态，%4，%5</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <comment>subject, allowance, evidence</comment>
+            <translation>%1：%2，%3</translation>
         </message>
     </context>
     <context>
@@ -1034,6 +1558,37 @@
         </message>
     </context>
     <context>
+        <name>dialogs::AppearanceDialog</name>
+        <message>
+            <source>As the desktop</source>
+            <translation>按桌面设置</translation>
+        </message>
+        <message>
+            <source>Language and look</source>
+            <translation>语言和外观</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>浅色</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>深色</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>语言(&amp;L)</translation>
+        </message>
+        <message>
+            <source>L&amp;ook</source>
+            <translation>外观(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Words of the robot and text from the controller stay as they are on the pendant.</source>
+            <translation>机器人的用语和来自控制器的文本与示教编程器上保持一致。</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::ApplyDialog</name>
         <message>
             <source>Variable</source>
@@ -1159,6 +1714,113 @@
         <message>
             <source>Copied</source>
             <translation>已复制</translation>
+        </message>
+    </context>
+    <context>
+        <name>dialogs::HelpDialog</name>
+        <message>
+            <source>Help — %1</source>
+            <translation>帮助 — %1</translation>
+        </message>
+        <message>
+            <source>Search in this help</source>
+            <translation>在此帮助中搜索</translation>
+        </message>
+        <message>
+            <source>Nothing here has these words.</source>
+            <translation>此处没有包含这些词的内容。</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>帮助</translation>
+        </message>
+        <message>
+            <source>Keys of this page</source>
+            <translation>此页面的按键</translation>
+        </message>
+        <message>
+            <source>Keys everywhere</source>
+            <translation>通用按键</translation>
+        </message>
+        <message>
+            <source>Menu</source>
+            <translation>菜单</translation>
+        </message>
+        <message>
+            <source>Without a connection: connect to the controller on the filled button</source>
+            <translation>未连接时：连接到填充色按钮上的控制器</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>页面</translation>
+        </message>
+        <message>
+            <source>Live: read within its last three turns.</source>
+            <translation>实时：在其最近三个读取周期内读取到。</translation>
+        </message>
+        <message>
+            <source>Stale</source>
+            <translation>已过时</translation>
+        </message>
+        <message>
+            <source>Stale: read once, too long ago. The tool tip says when. It is not what the robot does now.</source>
+            <translation>已过时：曾经读取，但时间已过久。工具提示显示读取时间。这不是机器人当前的状态。</translation>
+        </message>
+        <message>
+            <source>Unknown: not read on this connection. It is never shown as 0.</source>
+            <translation>未知：本次连接中未读取。绝不会显示为 0。</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>被拒绝</translation>
+        </message>
+        <message>
+            <source>Refused: the controller does not tell it. The reason stands on the card or in the tool tip.</source>
+            <translation>被拒绝：控制器不提供该内容。原因显示在卡片上或工具提示中。</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>开</translation>
+        </message>
+        <message>
+            <source>A filled square: on, or 1.</source>
+            <translation>实心方块：开，或 1。</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>关</translation>
+        </message>
+        <message>
+            <source>A hollow square: off, or 0.</source>
+            <translation>空心方块：关，或 0。</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>HOLD 中</translation>
+        </message>
+        <message>
+            <source>An amber triangle: error, hold, something not allowed or to be looked at.</source>
+            <translation>琥珀色三角：错误、HOLD、不允许的操作或需要查看的内容。</translation>
+        </message>
+        <message>
+            <source>alarm</source>
+            <translation>报警</translation>
+        </message>
+        <message>
+            <source>A red square: an alarm.</source>
+            <translation>红色方块：报警。</translation>
+        </message>
+        <message>
+            <source>What the signs mean</source>
+            <translation>标记的含义</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>示例</translation>
+        </message>
+        <message>
+            <source>An amber ground in a table: typed and staged, not sent yet. A red one: it reads back differently from what was written.</source>
+            <translation>表格中的琥珀色底色：已输入并暂存，尚未发送。红色底色：回读与写入不一致。</translation>
         </message>
     </context>
     <context>
@@ -1838,6 +2500,65 @@
         </message>
     </context>
     <context>
+        <name>dialogs::ReadinessSheet</name>
+        <message>
+            <source>Readiness — %1</source>
+            <translation>就绪状态 — %1</translation>
+        </message>
+        <message>
+            <source>What %1 allows now</source>
+            <translation>%1 当前允许的操作</translation>
+        </message>
+        <message>
+            <source>Readiness</source>
+            <translation>就绪状态</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>复制</translation>
+        </message>
+        <message>
+            <source>Copy the readiness and a diagnosis</source>
+            <translation>复制就绪状态和诊断结果</translation>
+        </message>
+        <message>
+            <source>As text for support, with a diagnosis of the link, which takes a moment.</source>
+            <translation>以文本形式复制，供技术支持使用；包含链路诊断，需要片刻。</translation>
+        </message>
+        <message>
+            <source>Test numbering…</source>
+            <translation>测试编号…</translation>
+        </message>
+        <message>
+            <source>It needs a link to the controller.</source>
+            <translation>需要与控制器的链路。</translation>
+        </message>
+        <message>
+            <source>Communication lost at %1: what is hatched was read before.</source>
+            <translation>通信于 %1 中断：带斜线的内容是此前读取的。</translation>
+        </message>
+        <message>
+            <source>%1 has not answered yet.</source>
+            <translation>%1 尚未应答。</translation>
+        </message>
+        <message>
+            <source>Not connected: nothing is read.</source>
+            <translation>未连接：不读取任何内容。</translation>
+        </message>
+        <message>
+            <source>The status was not read just now.</source>
+            <translation>刚才未读取到状态。</translation>
+        </message>
+        <message>
+            <source>It is read live and changes nothing. HOLD works meanwhile: Pause key.</source>
+            <translation>实时读取，不作任何更改。期间 HOLD 有效：Pause 键。</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>已复制</translation>
+        </message>
+    </context>
+    <context>
         <name>dialogs::RestoreDialog</name>
         <message>
             <source>Put that file back</source>
@@ -1942,21 +2663,6 @@
         <message>
             <source>▲ The file could not be put back. Look at the controller.</source>
             <translation>▲ 无法放回该文件。请查看控制器。</translation>
-        </message>
-    </context>
-    <context>
-        <name>dialogs::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>键盘快捷键</translation>
-        </message>
-        <message>
-            <source>Page: %1</source>
-            <translation>页面：%1</translation>
-        </message>
-        <message>
-            <source>Menu</source>
-            <translation>菜单</translation>
         </message>
     </context>
     <context>
@@ -2668,6 +3374,10 @@
             <source>%1. %2</source>
             <translation>%1。%2</translation>
         </message>
+        <message>
+            <source>refused</source>
+            <translation>被拒绝</translation>
+        </message>
     </context>
     <context>
         <name>models::WatchModel</name>
@@ -2926,10 +3636,6 @@
         <message>
             <source>Cancel error accepted.</source>
             <translation>解除错误已接受。</translation>
-        </message>
-        <message>
-            <source>New alarm %1: %2</source>
-            <translation>新报警 %1：%2</translation>
         </message>
     </context>
     <context>
@@ -3303,6 +4009,10 @@
             <source>Exporting to %1…</source>
             <translation>正在导出到 %1…</translation>
         </message>
+        <message>
+            <source>Files are still being read for a backup or a comparison.</source>
+            <translation>仍在为备份或比较读取文件。</translation>
+        </message>
     </context>
     <context>
         <name>pages::CartesianCard</name>
@@ -3506,6 +4216,10 @@
             <source>Choose files on the right first.</source>
             <translation>请先在右侧选择文件。</translation>
         </message>
+        <message>
+            <source>Files are still being transferred.</source>
+            <translation>仍在传输文件。</translation>
+        </message>
     </context>
     <context>
         <name>pages::GroupCard</name>
@@ -3582,14 +4296,6 @@
         <message>
             <source>Area of signals</source>
             <translation>信号区域</translation>
-        </message>
-        <message>
-            <source>Go to</source>
-            <translation>转到</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>转到…  Ctrl+G</translation>
         </message>
         <message>
             <source>Watched signals</source>
@@ -4252,37 +4958,6 @@
         </message>
     </context>
     <context>
-        <name>pages::NotConnectedPanel</name>
-        <message>
-            <source>Connect to %1</source>
-            <translation>连接到 %1</translation>
-        </message>
-        <message>
-            <source>Another controller…</source>
-            <translation>其他控制器…</translation>
-        </message>
-        <message>
-            <source>Connect…</source>
-            <translation>连接…</translation>
-        </message>
-        <message>
-            <source>Open the demo</source>
-            <translation>打开演示</translation>
-        </message>
-        <message>
-            <source>Not connected</source>
-            <translation>未连接</translation>
-        </message>
-        <message>
-            <source>Nothing is read and nothing is shown. Connect to a robot controller in your network by its name or address; its Ethernet server must be switched on.</source>
-            <translation>未读取任何内容，也未显示任何内容。请按名称或地址连接网络中的机器人控制器；控制器的以太网服务器必须已开启。</translation>
-        </message>
-        <message>
-            <source>Connecting only reads. Without a robot at hand, the demo brings its own simulated controller.</source>
-            <translation>连接仅进行读取。手边没有机器人时，演示自带一台仿真控制器。</translation>
-        </message>
-    </context>
-    <context>
         <name>pages::Offers</name>
         <message>
             <source>Before sending</source>
@@ -4672,6 +5347,53 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>pages::StartPanel</name>
+        <message>
+            <source>Start</source>
+            <translation>起始页</translation>
+        </message>
+        <message>
+            <source>Not connected</source>
+            <translation>未连接</translation>
+        </message>
+        <message>
+            <source>Nothing is read and nothing is shown. Connecting only reads: nothing is written, started or moved by it.</source>
+            <translation>未读取任何内容，也未显示任何内容。连接仅进行读取：不会因此写入、启动或移动任何内容。</translation>
+        </message>
+        <message>
+            <source>Connect to a controller…</source>
+            <translation>连接到控制器…</translation>
+        </message>
+        <message>
+            <source>A controller in your network</source>
+            <translation>网络中的控制器</translation>
+        </message>
+        <message>
+            <source>Enter its name or address. Pendesk checks step by step whether it answers, and says what is wrong where it does not.</source>
+            <translation>请输入其名称或地址。Pendesk 逐步检查其是否应答；没有应答时，会指出问题所在。</translation>
+        </message>
+        <message>
+            <source>No robot at hand</source>
+            <translation>手边没有机器人</translation>
+        </message>
+        <message>
+            <source>The demo brings a simulated controller in this program. Everything can be tried with it, and no robot moves.</source>
+            <translation>演示在本软件中提供一台仿真控制器。可用它尝试所有功能，不会有机器人移动。</translation>
+        </message>
+        <message>
+            <source>Open the demo</source>
+            <translation>打开演示</translation>
+        </message>
+        <message>
+            <source>Recent controllers</source>
+            <translation>最近的控制器</translation>
+        </message>
+        <message>
+            <source>Another controller…</source>
+            <translation>其他控制器…</translation>
+        </message>
+    </context>
+    <context>
         <name>pages::StateCard</name>
         <message>
             <source>State</source>
@@ -4968,14 +5690,6 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>变量</translation>
         </message>
         <message>
-            <source>Go to</source>
-            <translation>转到</translation>
-        </message>
-        <message>
-            <source>Go to…  Ctrl+G</source>
-            <translation>转到…  Ctrl+G</translation>
-        </message>
-        <message>
             <source>Import…</source>
             <translation>导入…</translation>
         </message>
@@ -5033,6 +5747,12 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>%1 stays as it is: %2</source>
             <comment>variable: reason</comment>
             <translation>%1 保持不变：%2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n staged value(s) were not applied.</source>
+            <translation>
+                <numerusform>%n 个暂存的值尚未应用。</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5116,6 +5836,71 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>pages::start::RecentTile</name>
+        <message>
+            <source>no connection noted yet</source>
+            <translation>尚无连接记录</translation>
+        </message>
+        <message>
+            <source>connected today %1</source>
+            <comment>the time</comment>
+            <translation>今天 %1 连接过</translation>
+        </message>
+        <message>
+            <source>connected yesterday %1</source>
+            <comment>the time</comment>
+            <translation>昨天 %1 连接过</translation>
+        </message>
+        <message>
+            <source>connected %1 %2</source>
+            <comment>the date, the time</comment>
+            <translation>%1 %2 连接过</translation>
+        </message>
+        <message>
+            <source>Connect to %1</source>
+            <translation>连接到 %1</translation>
+        </message>
+        <message>
+            <source>simulation</source>
+            <translation>仿真</translation>
+        </message>
+    </context>
+    <context>
+        <name>pages::start::SetupCard</name>
+        <message>
+            <source>What must be set on the pendant</source>
+            <translation>必须在示教编程器上设定的内容</translation>
+        </message>
+        <message>
+            <source>Menus differ by model and software</source>
+            <translation>菜单因机型和软件而异</translation>
+        </message>
+        <message>
+            <source>To be found</source>
+            <translation>可被找到</translation>
+        </message>
+        <message>
+            <source>The Ethernet server function (HSES) is on; it is an option of DX100, DX200 and FS100. The controller has an IPv4 address in the network of this computer, and no firewall between them drops UDP %1 and %2.</source>
+            <translation>以太网服务器功能 (HSES) 已启用；它是 DX100、DX200 和 FS100 的选项。控制器在本计算机所在的网络中有 IPv4 地址，且两者之间没有防火墙丢弃 UDP %1 和 %2。</translation>
+        </message>
+        <message>
+            <source>To take orders</source>
+            <translation>可接受命令</translation>
+        </message>
+        <message>
+            <source>Only for starting, moving, resetting and files, not for reading: %1.</source>
+            <translation>仅启动、移动、复位和文件操作需要，读取不需要：%1。</translation>
+        </message>
+        <message>
+            <source>To select and replace</source>
+            <translation>可选择和替换</translation>
+        </message>
+        <message>
+            <source>For selecting jobs from here: %1. For replacing files that exist there: %2.</source>
+            <translation>若要从此处选择程序：%1。若要替换控制器上已有的文件：%2。</translation>
+        </message>
+    </context>
+    <context>
         <name>pendesk</name>
         <message>
             <source>A teach and monitor desk for Yaskawa robot controllers.</source>
@@ -5165,20 +5950,20 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <source>--pictures needs a folder, and --demo, --host or --profile.</source>
             <translation>--pictures 需要一个文件夹，以及 --demo、--host 或 --profile。</translation>
         </message>
+        <message>
+            <source>Write one picture of all pages, light and dark, in English, German and Japanese, and end.</source>
+            <translation>将所有页面的浅色和深色显示，以英语、德语和日语写成一张图片，然后结束。</translation>
+        </message>
+        <message>
+            <source>--contact-sheet needs a file, and --demo, --host or --profile.</source>
+            <translation>--contact-sheet 需要一个文件，以及 --demo、--host 或 --profile。</translation>
+        </message>
     </context>
     <context>
         <name>pendesk::Pictures</name>
         <message>
-            <source>pendesk: the folder %1 cannot be made.</source>
-            <translation>pendesk：无法创建文件夹 %1。</translation>
-        </message>
-        <message>
             <source>not everything was read</source>
             <translation>未能读取全部内容</translation>
-        </message>
-        <message>
-            <source>pendesk: no live controller within 5 s: %1.</source>
-            <translation>pendesk：5 s 内没有在线的控制器：%1。</translation>
         </message>
         <message>
             <source>pendesk: %1 cannot be written.</source>
@@ -5227,6 +6012,22 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         <message>
             <source>Pictures are in %1</source>
             <translation>图片位于 %1</translation>
+        </message>
+        <message>
+            <source>the folder %1 cannot be made</source>
+            <translation>无法创建文件夹 %1</translation>
+        </message>
+        <message>
+            <source>no live controller within 5 s: %1</source>
+            <translation>5 s 内没有实时的控制器：%1</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written</source>
+            <translation>无法写入 %1</translation>
+        </message>
+        <message>
+            <source>pendesk: %1.</source>
+            <translation>pendesk：%1。</translation>
         </message>
     </context>
     <context>
@@ -6827,6 +7628,13 @@ The robot can move from then on. Nobody may be inside the fence.</source>
         </message>
     </context>
     <context>
+        <name>ui::Announcer</name>
+        <message>
+            <source>New alarm %1: %2</source>
+            <translation>新报警 %1：%2</translation>
+        </message>
+    </context>
+    <context>
         <name>ui::ArmBadge</name>
         <message>
             <source>This controller is armed: press to disarm.</source>
@@ -6968,6 +7776,14 @@ HOLD 是通过网络执行的软件 HOLD，不是安全功能。</translation>
         <message>
             <source>%1 requests/s</source>
             <translation>%1 请求/s</translation>
+        </message>
+        <message>
+            <source>Something is unfinished</source>
+            <translation>有未完成的内容</translation>
+        </message>
+        <message>
+            <source>Go on and lose it</source>
+            <translation>继续并放弃</translation>
         </message>
     </context>
     <context>
@@ -7523,6 +8339,17 @@ HOLD 是通过网络执行的软件 HOLD，不是安全功能。</translation>
             <translation>
                 <numerusform>另外 %n 项</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>widgets::GoToEdit</name>
+        <message>
+            <source>Go to</source>
+            <translation>转到</translation>
+        </message>
+        <message>
+            <source>Go to…  Ctrl+G</source>
+            <translation>转到…  Ctrl+G</translation>
         </message>
     </context>
     <context>

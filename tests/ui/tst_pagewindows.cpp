@@ -19,6 +19,7 @@ private Q_SLOTS:
     void theWindowHasHold();
     void windowsComeBackWithTheNextStart();
     void theMainWindowKeepsAPage();
+    void noPageFlashesAWindow();
 
 private:
     static ui::PageWindow *windowOf(const Harness &harness, const char *id)
@@ -27,6 +28,28 @@ private:
     }
     static QString second() { return QLatin1String(ui::pageCatalog()[1].id); }
 };
+
+/// A part that is shown before it has a parent is a window for a moment, and takes the focus with it.
+void TestPageWindows::noPageFlashesAWindow()
+{
+    struct Watcher : QObject {
+        bool eventFilter(QObject *watched, QEvent *event) override
+        {
+            const auto *widget = qobject_cast<QWidget *>(watched);
+            if (event->type() == QEvent::Show && widget && widget->isWindow())
+                windows << watched->objectName();
+            return false;
+        }
+        QStringList windows;
+    };
+    Harness harness;
+    QVERIFY(harness.connectLive());
+    Watcher watcher;
+    qApp->installEventFilter(&watcher);
+    for (int row = 0; row < int(ui::pageCatalog().size()); ++row)
+        harness.window.view().openPage(row);
+    QCOMPARE(watcher.windows, QStringList());
+}
 
 void TestPageWindows::aPageMovesAndComesBack()
 {

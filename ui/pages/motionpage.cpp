@@ -65,7 +65,7 @@ MotionPage::MotionPage(const Context &context, QWidget *parent)
 
 QWidget *MotionPage::statement()
 {
-    auto *bar = new widgets::MessageBar;
+    auto *bar = new widgets::MessageBar(this); // shown from the first moment, and no window of its own
     bar->setObjectName(QStringLiteral("motionStatement"));
     bar->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, 0);
     bar->show({widgets::Severity::Warning,

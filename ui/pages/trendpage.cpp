@@ -188,8 +188,8 @@ QWidget *TrendPage::incidentCard()
     none->setObjectName(QStringLiteral("noIncidents"));
     const auto showNone = [this, none] { none->setVisible(m_incidents->rowCount() == 0); };
     connect(m_incidents, &QAbstractItemModel::rowsInserted, none, showNone);
-    showNone();
     card->body()->addWidget(none);
+    showNone();
     card->body()->addWidget(m_list, 1);
     card->body()->addWidget(openButton, 0, Qt::AlignLeft);
     const auto open = [this] {
