@@ -261,7 +261,7 @@ void TestBag::findsEveryBit()
     std::mt19937 random {8493};
     int found = 0;
     for (int run = 0; run < 1000; ++run) {
-        const QString path = paths[int(random() % quint32(paths.size()))];
+        const QString &path = paths[int(random() % quint32(paths.size()))];
         const QByteArray before = contentOf(path);
         QByteArray after = before;
         after[qsizetype(random() % quint32(after.size()))] ^= char(1 << random() % 8);

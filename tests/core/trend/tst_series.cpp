@@ -211,7 +211,7 @@ void SeriesTest::decimatedStandsStill()
     const auto first = decimate(given, {zero + 1000ms, zero + 201s}, 100);
     const auto second = decimate(given, {zero + 1300ms, zero + 201300ms}, 100);
     const std::vector inner(first.begin() + 4, first.end() - 4);
-    QVERIFY(std::ranges::search(second, inner).begin() != second.end());
+    QVERIFY(std::search(second.begin(), second.end(), inner.begin(), inner.end()) != second.end());
 }
 
 void SeriesTest::writesCsv()

@@ -6,6 +6,7 @@
 #include <QSet>
 #include <QTest>
 #include <QUdpSocket>
+#include <array>
 
 using namespace virtualcontroller;
 
@@ -118,13 +119,11 @@ void ServerTest::answersEachClient()
 {
     Server server {onFreePorts()};
     QVERIFY(server.start());
-    std::vector<std::unique_ptr<Client>> clients;
-    for (int number = 0; number < 8; ++number)
-        clients.push_back(std::make_unique<Client>());
+    std::array<Client, 8> clients;
     for (std::size_t number = 0; number < clients.size(); ++number)
-        clients[number]->send(server.port(), status, quint8(100 + number));
+        clients[number].send(server.port(), status, quint8(100 + number));
     for (std::size_t number = 0; number < clients.size(); ++number) {
-        const QByteArray reply = clients[number]->receive().data();
+        const QByteArray reply = clients[number].receive().data();
         QCOMPARE(protocol::parseReply(reply)->framing.id, quint8(100 + number));
     }
 }
