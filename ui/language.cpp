@@ -55,8 +55,6 @@ bool speak(QCoreApplication &application, const QString &code)
         return false;
     qDeleteAll(application.findChildren<QTranslator *>(QStringLiteral("language")));
     QLocale::setDefault(QLocale(code));
-    if (code == u"en")
-        return true;
     install(application, QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(application, QStringLiteral("pendesk_") + code, QStringLiteral(":/translations"));
     return true;

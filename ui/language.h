@@ -9,7 +9,7 @@ class QCoreApplication;
 
 namespace ui {
 
-/// A language of the window: one row for each file in translations/, and English.
+/// A language of the window: one row for each file in translations/. That of English has the plurals alone.
 struct Language {
     const char *code; ///< ISO 639, with the script where there are two: "zh_CN".
     const char *name; ///< In itself, UTF-8: "Deutsch".

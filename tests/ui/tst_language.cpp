@@ -24,7 +24,7 @@ private Q_SLOTS:
         QStringList codes;
         for (const ui::Language &language : ui::languages())
             codes << QLatin1String(language.code);
-        QCOMPARE(codes.takeFirst(), u"en");
+        QCOMPARE(codes.first(), u"en");
         QStringList files;
         for (QString file : QDir(QStringLiteral(":/translations")).entryList())
             files << file.remove(QStringLiteral("pendesk_")).remove(QStringLiteral(".qm"));
@@ -65,7 +65,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
-        QVERIFY(sentences > 1000);
+        QVERIFY(sentences > (path.endsWith(u"_en.ts") ? 40 : 1000)); // English has its plurals alone
     }
 
     /// Words that stand in tables, and not where they are shown.
@@ -80,6 +80,13 @@ private Q_SLOTS:
                     != u"connect, or wait until it answers again",
                 language.code);
         }
+    }
+
+    void englishCounts()
+    {
+        QVERIFY(ui::speak(*qApp, QStringLiteral("en")));
+        QCOMPARE(QCoreApplication::translate("pages::FilePane", "%n file(s)", nullptr, 1), u"1 file");
+        QCOMPARE(QCoreApplication::translate("pages::FilePane", "%n file(s)", nullptr, 8), u"8 files");
     }
 
     void numbersFollow()
