@@ -7,8 +7,6 @@
 #include "ui/pagewindow.h"
 #include "ui/widgets/holdbutton.h"
 
-using robot::Freshness;
-
 /// A page in a window of its own, as on a second screen.
 class TestPageWindows : public QObject
 {

@@ -9,7 +9,6 @@
 #include <QDir>
 
 using robot::LinkState;
-using robot::Topic;
 
 namespace {
 

@@ -12,8 +12,6 @@ using namespace files;
 using namespace std::chrono_literals;
 using values::ErrorKind;
 using values::FileName;
-using virtualcontroller::FaultKind;
-using virtualcontroller::FaultRule;
 using virtualcontroller::Faults;
 
 namespace {

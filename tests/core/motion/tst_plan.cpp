@@ -4,7 +4,6 @@
 #include <QTest>
 #include <cmath>
 
-using motion::BoxCheck;
 using motion::CartesianOrder;
 using motion::JogChoice;
 using motion::JogFrame;

@@ -9,7 +9,6 @@ using values::ErrorKind;
 using values::Status;
 using virtualcontroller::Direction;
 using virtualcontroller::FaultKind;
-using virtualcontroller::FaultRule;
 using virtualcontroller::Faults;
 using Phase = JobStart::Phase;
 

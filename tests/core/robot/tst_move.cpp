@@ -7,11 +7,7 @@ using motion::Wish;
 using robot::Move;
 using values::AxisWords;
 using values::ControlGroup;
-using values::PositionType;
 using values::Status;
-using virtualcontroller::Direction;
-using virtualcontroller::FaultKind;
-using virtualcontroller::FaultRule;
 using virtualcontroller::Faults;
 using Outcome = Move::Outcome;
 

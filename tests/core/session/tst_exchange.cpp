@@ -7,8 +7,6 @@
 using namespace std::chrono_literals;
 using namespace session;
 using protocol::Effect;
-using protocol::Request;
-using protocol::Service;
 using values::ErrorKind;
 
 namespace {

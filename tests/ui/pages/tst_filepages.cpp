@@ -19,7 +19,6 @@
 #include <QTreeWidget>
 
 using namespace pages;
-using robot::Act;
 
 namespace {
 

@@ -15,7 +15,6 @@
 using robot::Level;
 using values::AxisWords;
 using values::Status;
-using virtualcontroller::Direction;
 using virtualcontroller::FaultKind;
 using virtualcontroller::Faults;
 

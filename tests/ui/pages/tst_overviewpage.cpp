@@ -21,7 +21,6 @@
 
 using robot::LinkState;
 using robot::RobotState;
-using robot::Topic;
 using widgets::ValueLabel;
 
 namespace {
