@@ -3,9 +3,11 @@
 #pragma once
 
 #include <QtGlobal>
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <netinet/in.h>
 #include <poll.h>
@@ -52,7 +54,8 @@ inline int openSocket(unsigned *port = nullptr)
 {
     const int fd = ::socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in address = loopback(0);
-    ::bind(fd, reinterpret_cast<sockaddr *>(&address), sizeof address);
+    if (::bind(fd, reinterpret_cast<sockaddr *>(&address), sizeof address) != 0)
+        std::abort();
     if (port) {
         socklen_t size = sizeof address;
         ::getsockname(fd, reinterpret_cast<sockaddr *>(&address), &size);
@@ -64,7 +67,7 @@ inline int openSocket(unsigned *port = nullptr)
 /// A header as a client sends it (reference §1.1).
 inline int writeHeader(unsigned char *packet, int division, int ack, int id, unsigned block, int payload)
 {
-    std::memcpy(packet, "YERC", 4);
+    std::copy_n("YERC", 4, packet);
     store16(packet + 4, headerSize);
     store16(packet + 6, unsigned(payload));
     packet[8] = 3;
@@ -214,7 +217,7 @@ private:
         switch (command) {
         case 0x70: return 60;
         case 0x72: return 8;
-        case 0x73: return 44;
+        case 0x73:
         case 0x75: return 44;
         case 0x77: return 24;
         case 0x7A: return 1;
@@ -251,7 +254,8 @@ public:
     explicit Client(unsigned port) : m_fd {openSocket()}
     {
         const sockaddr_in peer = loopback(port);
-        ::connect(m_fd, reinterpret_cast<const sockaddr *>(&peer), sizeof peer);
+        if (::connect(m_fd, reinterpret_cast<const sockaddr *>(&peer), sizeof peer) != 0)
+            std::abort();
     }
     ~Client() { ::close(m_fd); }
     Client(const Client &) = delete;

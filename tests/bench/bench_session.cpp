@@ -263,6 +263,7 @@ void monitorCycle()
     for (const int window : {1, 4, 8, 10}) {
         Client client {server.port(), fastPolicy(window)};
         std::vector<double> times;
+        times.reserve(rounds);
         for (int round = 0; round < rounds; ++round) {
             times.push_back(measure([&] {
                 Batch batch {client.session};
@@ -296,6 +297,7 @@ void manyControllers()
     constexpr int each = 500;
     bare::Server server {controllers, 2ms};
     std::vector<std::unique_ptr<Client>> clients;
+    clients.reserve(controllers);
     for (int i = 0; i < controllers; ++i)
         clients.push_back(std::make_unique<Client>(server.port(i)));
     const Cost cost = measure([&] {
@@ -318,7 +320,7 @@ void manyControllers()
 void files()
 {
     bare::Server server {1, 2ms};
-    server.file.assign(20 * 479, 'x');
+    server.file.assign(std::size_t(20) * 479, 'x');
     bare::Client plain {server.port()};
     UdpTransport transport {QHostAddress {QHostAddress::LocalHost}, quint16(server.port())};
     FilePolicy policy;

@@ -70,7 +70,7 @@ std::map<QByteArray, QByteArray> manyFiles(int count)
         const QByteArray base = number % 50 == 0 ? "\x83\x65" + QByteArray::number(number)
             : number % 50 == 1                   ? "a b" + QByteArray::number(number)
                                                  : "FILE" + QByteArray::number(number);
-        const QByteArray type = types[number % 6];
+        const QByteArray &type = types[number % 6];
         const QByteArray bytes = randomBytes(random, sizes[number % 5]);
         files[base + '.' + type] = type == "JBI" ? jobText(base, int(random() % 40))
             : type == "SYS"                      ? bytes
