@@ -30,6 +30,9 @@ const QStringList sameEverywhere {
     QStringLiteral("PENDESK VIRTUAL"),
     QStringLiteral("VIRTUAL-A00"),
     QStringLiteral("WELD_A12"),
+    QStringLiteral("UNCLAMP"),
+    QStringLiteral("CLAMP"),
+    QStringLiteral("TIPDRESS"),
     QStringLiteral("Pendesk backups"),
     // robot words as on the pendant: axes, kinds of variables and of files; and what must be typed to start
     QStringLiteral("Rx"),
