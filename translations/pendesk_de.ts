@@ -6121,8 +6121,8 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
             <translation>Sendet zurück, was von einer Sicherung abweicht: zuerst eine frische Sicherung daneben, dann Datei für Datei, jede zurückgelesen. Hält beim ersten Fehler an; nie, während ein Job läuft.</translation>
         </message>
         <message>
-            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation>Die Sicherung ist nicht so, wie sie geschrieben wurde; „verify“ sagt, was nicht stimmt. Aus ihr wird nichts zurückgespielt.</translation>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing was done with it.</source>
+            <translation>Die Sicherung ist nicht so, wie sie geschrieben wurde; „verify“ sagt, was nicht stimmt. Es wurde nichts damit getan.</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>

@@ -6121,8 +6121,8 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
             <translation>Devuelve al controlador lo que difiere de una copia de seguridad: primero una copia de seguridad nueva junto a ella y después archivo por archivo, volviendo a leer cada uno. Se detiene en el primer error; nunca mientras hay un trabajo en marcha.</translation>
         </message>
         <message>
-            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation>La copia de seguridad no está tal como se escribió; “verify” indica qué está mal. No se restaura nada a partir de ella.</translation>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing was done with it.</source>
+            <translation>La copia de seguridad no está tal como se escribió; “verify” indica qué está mal. No se ha hecho nada con ella.</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>

@@ -6121,8 +6121,8 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
             <translation>Renvoie ce qui diffère d’une sauvegarde : d’abord une nouvelle sauvegarde à côté, puis fichier par fichier, chacun étant relu. S’arrête à la première erreur ; jamais pendant l’exécution d’un job.</translation>
         </message>
         <message>
-            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation>La sauvegarde n’est pas telle qu’elle a été écrite ; « verify » indique ce qui est incorrect. Rien n’en est restauré.</translation>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing was done with it.</source>
+            <translation>La sauvegarde n’est pas telle qu’elle a été écrite ; « verify » indique ce qui est incorrect. Rien n’a été fait avec elle.</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>

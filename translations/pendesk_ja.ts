@@ -6081,8 +6081,8 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>バックアップと異なるものを送り戻します。最初にその隣に新しいバックアップを作成し、次に1ファイルずつ送信して読み戻します。最初のエラーで停止します。ジョブの運転中は行いません。</translation>
         </message>
         <message>
-            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation>バックアップが書き込んだときと異なります。誤りの内容は「verify」で分かります。このバックアップからは何も復元しません。</translation>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing was done with it.</source>
+            <translation>バックアップが書き込んだときと異なります。誤りの内容は「verify」で分かります。このバックアップでは何も実行していません。</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>

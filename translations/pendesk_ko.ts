@@ -6081,8 +6081,8 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>백업과 다른 것을 다시 송신합니다. 먼저 그 옆에 새 백업을 만들고, 그다음 파일을 하나씩 송신하고 다시 읽어 확인합니다. 첫 에러에서 중지하며, 잡 실행 중에는 수행하지 않습니다.</translation>
         </message>
         <message>
-            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation>백업이 썼을 때와 다릅니다. 잘못된 내용은 “verify”로 알 수 있습니다. 이 백업에서는 아무것도 복원하지 않습니다.</translation>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing was done with it.</source>
+            <translation>백업이 썼을 때와 다릅니다. 잘못된 내용은 “verify”로 알 수 있습니다. 이 백업으로는 아무것도 하지 않았습니다.</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>

@@ -6081,8 +6081,8 @@ The robot can move from then on. Nobody may be inside the fence.</source>
             <translation>发回与备份不同的内容：先在旁边做一次新的备份，然后逐个文件发送，每个都回读。遇到第一个错误即停止；程序运行时绝不执行。</translation>
         </message>
         <message>
-            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it.</source>
-            <translation>该备份与写入时不同；“verify”会说明问题所在。不会从该备份恢复任何内容。</translation>
+            <source>The backup is not as it was written; “verify” tells what is wrong. Nothing was done with it.</source>
+            <translation>该备份与写入时不同；“verify”会说明问题所在。未对该备份执行任何操作。</translation>
         </message>
         <message>
             <source>“%1” is no file name.</source>

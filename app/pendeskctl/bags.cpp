@@ -29,10 +29,18 @@ files::BackupOrder orderFor(const Desk &desk, const QString &root, const Result<
 
 QString bagAt(const QString &path) { return QString {path}.remove(QRegularExpression {QStringLiteral("/+$")}); }
 
-ExitCode complainAbout(const values::Error &error)
+tl::expected<files::Bag, ExitCode> goodBag(const QString &path)
 {
-    complain(error.detail);
-    return LocalFile;
+    auto bag = files::Bag::open(path);
+    if (!bag) {
+        complain(bag.error().detail);
+        return tl::unexpected(LocalFile);
+    }
+    if (!files::verify(path).isGood()) {
+        complain(tr("The backup is not as it was written; “verify” tells what is wrong. Nothing was done with it."));
+        return tl::unexpected(VerificationFailed);
+    }
+    return std::move(*bag);
 }
 
 void withOrder(Desk &desk, const QString &root, const std::function<void(const files::BackupOrder &)> &handler)

@@ -11,8 +11,9 @@ namespace pendeskctl {
 /// A path as it was typed, without the slash that a shell completes.
 [[nodiscard]] QString bagAt(const QString &path);
 
-/// Complains about a backup that cannot be read; the exit code.
-[[nodiscard]] ExitCode complainAbout(const values::Error &error);
+/// The backup at that path, if every byte of it is as it was written. Else it was complained about, and the
+/// program is to end with that code.
+[[nodiscard]] tl::expected<files::Bag, ExitCode> goodBag(const QString &path);
 
 /// What a backup into `root` is to be. What the controller says of itself goes into it; without an answer it is made
 /// all the same.

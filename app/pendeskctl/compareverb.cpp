@@ -88,13 +88,14 @@ int runCompare(const QStringList &arguments)
         return *end;
     if (call.words.isEmpty() || call.words.size() > 2)
         return mistake(tr("Say one or two backups."));
-    const auto older = files::Bag::open(bagAt(call.words[0]));
+    const auto older =
+        goodBag(bagAt(call.words[0])); // what was written is told by its list; what lies there must be that
     if (!older)
-        return complainAbout(older.error());
+        return older.error();
     const bool withNoise = parser.isSet(noise);
     if (call.words.size() == 2) {
-        const auto newer = files::Bag::open(bagAt(call.words[1]));
-        return newer ? printComparison(call, older->files(), newer->files(), withNoise) : complainAbout(newer.error());
+        const auto newer = goodBag(bagAt(call.words[1]));
+        return newer ? printComparison(call, older->files(), newer->files(), withNoise) : newer.error();
     }
     return run(call, [=](Desk &desk) {
         snapshot(desk, [&desk, older, withNoise](const files::FileSet &newer) {

@@ -96,13 +96,9 @@ int runRestore(const QStringList &arguments)
     if (call.words.isEmpty())
         return mistake(tr("Say the backup."));
     const QString path = bagAt(call.words[0]);
-    const auto bag = files::Bag::open(path);
+    const auto bag = goodBag(path);
     if (!bag)
-        return complainAbout(bag.error());
-    if (!files::verify(path).isGood()) {
-        complain(tr("The backup is not as it was written; “verify” tells what is wrong. Nothing is restored from it."));
-        return VerificationFailed;
-    }
+        return bag.error();
     QList<FileName> names;
     for (const QString &text : call.words.sliced(1)) {
         const auto name = protocol::TextCodec {call.profile.encoding}.encode(text).and_then(

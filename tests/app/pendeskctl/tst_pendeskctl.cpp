@@ -316,6 +316,8 @@ void TestPendeskctl::backsUpAndRestores()
     QVERIFY(QFile::remove(bag + QStringLiteral("/data/HOME.JBI")));
     QCOMPARE(terminal.run(QStringLiteral("verify ") + bag, false).code, 6);
     QCOMPARE(terminal.run(QStringLiteral("restore --yes ") + bag).code, 6);
+    QCOMPARE(terminal.run(QStringLiteral("compare ") + bag).code, 6);
+    QCOMPARE(terminal.run(QStringLiteral("compare %1 %1").arg(bag), false).code, 6);
     files["EMPTY.DAT"] = "";
     QCOMPARE(terminal.run(QStringLiteral("backup DIR/bk")).code, 7);
 }
