@@ -3,12 +3,15 @@
 #include "files/compare.h"
 
 #include "files/inform.h"
-#include "files/linediff.h"
+#include "inform/linediff.h"
 #include <algorithm>
 
 using values::FileName;
 
 namespace files {
+
+using inform::Hunk;
+using inform::diffLines;
 
 namespace {
 
@@ -77,7 +80,7 @@ QList<ComparedLine> compareText(const QByteArray &older, const QByteArray &newer
         while (oldAt < oldEnd)
             add(oldAt++, newAt++, true);
     };
-    for (const Block &block : diffLines(noise.cleanLines(older), noise.cleanLines(newer))) {
+    for (const Hunk &block : diffLines(noise.cleanLines(older), noise.cleanLines(newer))) {
         addSameUntil(block.oldFrom);
         for (int index = 0; index < std::max(block.oldCount, block.newCount); ++index)
             add(index < block.oldCount ? oldAt++ : -1, index < block.newCount ? newAt++ : -1, false);

@@ -2,12 +2,15 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/jobdiff.h"
 
-#include "files/linediff.h"
+#include "inform/linediff.h"
 #include <QCoreApplication>
 #include <cmath>
 #include <map>
 
 namespace files {
+
+using inform::Hunk;
+using inform::diffLines;
 
 namespace {
 
@@ -141,7 +144,7 @@ Edits diffLine(const QByteArray &before, const QByteArray &after, int line)
     return edits;
 }
 
-Edits diffBlock(const Job &older, const Job &newer, const Block &block)
+Edits diffBlock(const Job &older, const Job &newer, const Hunk &block)
 {
     Edits edits;
     const int common = std::min(block.oldCount, block.newCount);
@@ -166,7 +169,7 @@ QByteArrayList instructionsOf(const Job &job, const NoiseFilter &noise)
 Edits diffInstructions(const Job &older, const Job &newer, const NoiseFilter &noise)
 {
     Edits edits;
-    for (const Block &block : diffLines(instructionsOf(older, noise), instructionsOf(newer, noise)))
+    for (const Hunk &block : diffLines(instructionsOf(older, noise), instructionsOf(newer, noise)))
         edits << diffBlock(older, newer, block);
     return edits;
 }

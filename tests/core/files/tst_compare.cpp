@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/compare.h"
 #include "files/jobdiff.h"
-#include "files/linediff.h"
+#include "inform/linediff.h"
 
 #include <QTest>
 #include <random>
 
 using namespace files;
+using inform::Hunk;
+using inform::diffLines;
 using values::FileName;
 
 namespace {
@@ -22,11 +24,11 @@ QByteArrayList letters(const QByteArray &text)
     return result;
 }
 
-QByteArrayList applied(const QByteArrayList &older, const QByteArrayList &newer, const QList<Block> &blocks)
+QByteArrayList applied(const QByteArrayList &older, const QByteArrayList &newer, const QList<Hunk> &blocks)
 {
     QByteArrayList result;
     int at = 0;
-    for (const Block &block : blocks) {
+    for (const Hunk &block : blocks) {
         result += older.sliced(at, block.oldFrom - at) + newer.sliced(block.newFrom, block.newCount);
         at = block.oldFrom + block.oldCount;
     }
@@ -96,7 +98,7 @@ void TestCompare::diffsLines()
     QFETCH(QByteArray, newer);
     QFETCH(QList<int>, blocks);
     QList<int> found;
-    for (const Block &block : diffLines(letters(older), letters(newer)))
+    for (const Hunk &block : diffLines(letters(older), letters(newer)))
         found << block.oldFrom << block.oldCount << block.newFrom << block.newCount;
     QCOMPARE(found, blocks);
 }
@@ -112,7 +114,7 @@ void TestCompare::diffsShortest()
         const auto blocks = diffLines(texts[0], texts[1]);
         QCOMPARE(applied(texts[0], texts[1], blocks), texts[1]);
         qsizetype edits = 0;
-        for (const Block &block : blocks)
+        for (const Hunk &block : blocks)
             edits += block.oldCount + block.newCount;
         QCOMPARE(edits, texts[0].size() + texts[1].size() - 2 * commonLength(texts[0], texts[1]));
     }
@@ -128,7 +130,7 @@ void TestCompare::givesUpOnTooMuch()
     }
     older.first() = newer.first() = "same";
     const auto blocks = diffLines(older, newer);
-    QVERIFY((blocks == QList<Block> {{1, 59999, 1, 59999}}));
+    QVERIFY((blocks == QList<Hunk> {{1, 59999, 1, 59999}}));
 }
 
 void TestCompare::cleansNoise_data()

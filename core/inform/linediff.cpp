@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/linediff.h"
+#include "inform/linediff.h"
 
 #include <QHash>
 #include <QList>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace files {
+namespace inform {
 
 namespace {
 
@@ -112,32 +112,27 @@ std::vector<int> numbered(const QByteArrayList &lines, QHash<QByteArray, int> &n
 }
 
 /// What lies between the pairs.
-QList<Block> blocksBetween(const std::vector<std::pair<int, int>> &pairs, int shift, int oldSize, int newSize)
+QList<Hunk> hunksBetween(const std::vector<std::pair<int, int>> &pairs, int shift, int oldSize, int newSize)
 {
-    QList<Block> blocks;
+    QList<Hunk> hunks;
     int oldAt = 0;
     int newAt = 0;
     const auto close = [&](int oldTo, int newTo) {
         if (oldTo > oldAt || newTo > newAt)
-            blocks << Block {oldAt + shift, oldTo - oldAt, newAt + shift, newTo - newAt};
+            hunks << Hunk {oldAt + shift, oldTo - oldAt, newAt + shift, newTo - newAt};
         oldAt = oldTo + 1;
         newAt = newTo + 1;
     };
     for (const auto &[oldLine, newLine] : pairs)
         close(oldLine, newLine);
     close(oldSize, newSize);
-    return blocks;
+    return hunks;
 }
 
 } // namespace
 
-QList<Block> diffLines(const QByteArrayList &older, const QByteArrayList &newer)
+QList<Hunk> diffSequences(Lines a, Lines b)
 {
-    QHash<QByteArray, int> numbers;
-    const std::vector<int> oldNumbers = numbered(older, numbers);
-    const std::vector<int> newNumbers = numbered(newer, numbers);
-    Lines a {oldNumbers};
-    Lines b {newNumbers};
     const auto differing = std::ranges::mismatch(a, b);
     const auto prefix = std::size_t(differing.in1 - a.begin());
     a = a.subspan(prefix);
@@ -147,8 +142,16 @@ QList<Block> diffLines(const QByteArrayList &older, const QByteArrayList &newer)
         b = b.first(b.size() - 1);
     }
     const auto pairs = Search {a, b}.matches();
-    return blocksBetween(
+    return hunksBetween(
         pairs.value_or(std::vector<std::pair<int, int>> {}), int(prefix), int(a.size()), int(b.size()));
 }
 
-} // namespace files
+QList<Hunk> diffLines(const QByteArrayList &older, const QByteArrayList &newer)
+{
+    QHash<QByteArray, int> numbers;
+    const std::vector<int> oldNumbers = numbered(older, numbers);
+    const std::vector<int> newNumbers = numbered(newer, numbers);
+    return diffSequences(oldNumbers, newNumbers);
+}
+
+} // namespace inform
