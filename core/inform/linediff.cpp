@@ -142,8 +142,7 @@ QList<Hunk> diffSequences(Lines a, Lines b)
         b = b.first(b.size() - 1);
     }
     const auto pairs = Search {a, b}.matches();
-    return hunksBetween(
-        pairs.value_or(std::vector<std::pair<int, int>> {}), int(prefix), int(a.size()), int(b.size()));
+    return hunksBetween(pairs.value_or(std::vector<std::pair<int, int>> {}), int(prefix), int(a.size()), int(b.size()));
 }
 
 QList<Hunk> diffLines(const QByteArrayList &older, const QByteArrayList &newer)

@@ -18,8 +18,8 @@ struct Hunk {
     bool operator==(const Hunk &) const = default;
 };
 
-/// The fewest edits that make `newer` of `older` (Myers), in order; equal numbers are equal lines. Beyond some 1,500 edits the differing middle
-/// is one block: nobody reads such a comparison line by line, and it must not take minutes.
+/// The fewest edits that make `newer` of `older` (Myers), in order; equal numbers are equal lines. Beyond some 1,500
+/// edits the differing middle is one block: nobody reads such a comparison line by line, and it must not take minutes.
 [[nodiscard]] QList<Hunk> diffSequences(std::span<const int> older, std::span<const int> newer);
 /// The same for texts.
 [[nodiscard]] QList<Hunk> diffLines(const QByteArrayList &older, const QByteArrayList &newer);

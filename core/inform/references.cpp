@@ -161,9 +161,9 @@ void Gatherer::takeCount(const Part &part)
 void Gatherer::takeBesides(const Part &part, const char *names, Access access)
 {
     const Term *first = part.positional(0);
-    const QByteArray number = first ? first->text.toByteArray() : QByteArray {};
+    const QByteArray number = first && first->kind == TermKind::Number ? first->text.toByteArray() : QByteArray {};
     for (const QByteArrayView each : splitAt(names, ' ')) {
-        if (!each.isEmpty())
+        if (!each.isEmpty() && !(each.contains('#') && number.isEmpty()))
             add({access, each.toByteArray().replace('_', ' ').replace('#', number)});
     }
 }
