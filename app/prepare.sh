@@ -20,6 +20,8 @@ qt6-svg-dev libqt6svg6-dev
 qt6-wayland
 libexpected-dev libtl-expected-dev
 libarchive-dev
+libpcap-dev
+pkgconf
 fonts-inter
 fonts-dejavu-core
 '
