@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "protocol/fileblocks.h"
 
+#include "protocol/filelimits.h"
 #include <algorithm>
 #include <array>
 
@@ -23,6 +24,14 @@ constexpr std::array services {
 Request fileRequest(Service service, QByteArrayView payload) { return {0, 0, 0, service, payload.toByteArray()}; }
 
 } // namespace
+
+qsizetype sizeLimit(const Request &request)
+{
+    if (request.service == Service::ListFiles)
+        return listLimit;
+    const QByteArray name = request.payload.toUpper();
+    return name.endsWith(".JBI") || name.endsWith(".JBR") ? jobLimit : fileLimit;
+}
 
 std::span<const FileService> fileServices() { return services; }
 
@@ -88,20 +97,32 @@ Result<BlockCollector::Step> BlockCollector::take(const Reply &reply)
         return Step::Repeated;
     if (m_isComplete || number != m_last + 1)
         return values::failure(ErrorKind::Malformed, QStringLiteral("block %1 is out of turn").arg(number));
+    if (reply.payload.isEmpty() && !isLast)
+        return broken(QStringLiteral("block %1 is empty and not the last one").arg(number));
+    if (m_content.size() + reply.payload.size() > m_limit)
+        return broken(QStringLiteral("more than %1 bytes").arg(m_limit));
     m_content += reply.payload;
     m_last = number;
     m_isComplete = isLast;
     return isLast ? Step::Complete : Step::Next;
 }
 
+tl::unexpected<values::Error> BlockCollector::broken(const QString &why)
+{
+    m_fault = values::Error {ErrorKind::Malformed, 0, 0, why};
+    return tl::unexpected(*m_fault);
+}
+
 FileList parseFileList(const QByteArray &content)
 {
     FileList list;
     for (qsizetype start = 0; start < content.size();) {
-        const qsizetype found = content.indexOf("\r\n", start);
+        const qsizetype found = content.indexOf('\n', start);
         const qsizetype end = found < 0 ? content.size() : found;
-        const QByteArray line = content.mid(start, end - start);
-        start = end + 2;
+        QByteArray line = content.mid(start, end - start);
+        start = end + 1;
+        if (line.endsWith('\r'))
+            line.chop(1);
         if (line.isEmpty())
             continue;
         if (const auto name = FileName::create(line))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/effect.h"
+#include "protocol/filelimits.h"
 #include "protocol/packet.h"
 #include "values/filename.h"
 #include <QList>
@@ -66,14 +67,24 @@ public:
         Complete, ///< Taken, and it was the last one; acknowledge it.
     };
 
-    /// The refusal if `reply` is one; Malformed if the block is out of turn.
+    /// Holds at most `limit` bytes.
+    explicit BlockCollector(qsizetype limit = fileLimit) : m_limit {limit} { }
+
+    /// The refusal if `reply` is one; Malformed if the block is out of turn, or if fault() says so.
     [[nodiscard]] values::Result<Step> take(const Reply &reply);
+    /// Why this cannot become a file any more, whatever comes: a block was empty and not the last one, or there were
+    /// more bytes than the limit. Empty while it can.
+    [[nodiscard]] const std::optional<values::Error> &fault() const { return m_fault; }
 
     [[nodiscard]] const QByteArray &content() const { return m_content; }
     [[nodiscard]] bool isComplete() const { return m_isComplete; }
 
 private:
+    tl::unexpected<values::Error> broken(const QString &why);
+
+    qsizetype m_limit;
     QByteArray m_content;
+    std::optional<values::Error> m_fault;
     quint32 m_last = 0; ///< The number of the newest block, without the mark.
     bool m_isComplete = false;
 };
@@ -83,7 +94,7 @@ struct FileList {
     QList<values::FileName> names;
     QByteArrayList rejected; ///< What no file of ours may be called: shown, never used.
 };
-/// `content` is all blocks joined: names ended by CR LF (reference §7.4). Empty lines are dropped.
+/// `content` is all blocks joined: names ended by CR LF (reference §7.4), or by LF alone. Empty lines are dropped.
 [[nodiscard]] FileList parseFileList(const QByteArray &content);
 
 } // namespace protocol

@@ -76,7 +76,7 @@ std::optional<Exchange::Departure> Exchange::depart(Time now)
             queue.erase(next);
             return depart(now);
         }
-        const auto id = next->priority == Priority::Stop ? m_ids.takeAnyway(now) : m_ids.take(now);
+        const auto id = next->priority == Priority::Stop ? m_ids.takeForStop(now) : m_ids.take(now);
         if (!id)
             return std::nullopt;
         Waiting order = std::move(*next);
@@ -127,8 +127,7 @@ void Exchange::noteTry(Open &open, Time now)
     if (open.isWithdrawn || !protocol::isRepeatable(open.order.effect))
         return;
     const Time next = now + m_retransmission.wait(open.tries);
-    const bool mayRepeat = open.order.effect == Effect::Stops || open.tries <= m_policy.repeats;
-    if (mayRepeat && next < open.deadline)
+    if (next < open.deadline)
         open.nextTry = next;
 }
 
@@ -140,7 +139,7 @@ std::optional<Ending> Exchange::departureFailed(const Error &error, Time now)
         return std::nullopt;
     }
     Ending ending {open.order.ticket, tl::unexpected(Error {ErrorKind::NotSent, 0, 0, error.detail})};
-    close(m_departed, true, now);
+    close(m_departed, now);
     return ending;
 }
 
@@ -181,7 +180,7 @@ std::optional<Ending> Exchange::receive(QByteArrayView datagram, Time now)
     Ending ending {open->order.ticket, *reply};
     if (reply->isRefusal())
         ending.reply = tl::unexpected(reply->refusal());
-    close(std::size_t(open - m_open.begin()), open->tries == 1, now);
+    close(std::size_t(open - m_open.begin()), now);
     return ends ? std::optional {std::move(ending)} : std::nullopt;
 }
 
@@ -218,7 +217,7 @@ std::vector<Ending> Exchange::expire(Time now)
             onMiss(now, open.order.request.command);
         if (!open.isWithdrawn)
             endings.push_back({open.order.ticket, tl::unexpected(silence(open))});
-        close(i, false, now);
+        close(i, now);
     }
     std::ranges::reverse(endings);
     return endings;
@@ -235,18 +234,14 @@ std::vector<Ending> Exchange::abandon(Time now)
     while (!m_open.empty()) {
         if (!m_open.back().isWithdrawn)
             endings.push_back({m_open.back().order.ticket, tl::unexpected(silence(m_open.back()))});
-        close(m_open.size() - 1, false, now);
+        close(m_open.size() - 1, now);
     }
     return endings;
 }
 
-void Exchange::close(std::size_t index, bool allAnswered, Time now)
+void Exchange::close(std::size_t index, Time now)
 {
-    const quint8 id = m_open[index].id;
-    if (allAnswered)
-        m_ids.giveBack(id);
-    else
-        m_ids.rest(id, now + m_policy.idLinger);
+    m_ids.rest(m_open[index].id, now + m_policy.idLinger);
     m_open.erase(m_open.begin() + std::ptrdiff_t(index));
 }
 

@@ -26,7 +26,8 @@ struct Ending {
 /// All decisions of a session and none of its devices: which request goes out when, what an answer belongs to, when to
 /// repeat and when to give up. No socket, no timer, no clock; `now` is a parameter and must not run backwards.
 ///
-/// It never sends a write, a start or a move twice. It never matches an answer by id alone.
+/// It never sends a write, a start or a move twice. It never matches an answer by id alone, and gives no id to another
+/// request while an answer may still come.
 class Exchange
 {
 public:
@@ -99,7 +100,7 @@ private:
     bool holdsWindow(const Open &open, Time now) const;
     int outstanding(Time now) const;
     bool waitForBusy(Open &open, const protocol::Reply &reply, Time now);
-    void close(std::size_t index, bool allAnswered, Time now);
+    void close(std::size_t index, Time now);
     void countStray(const protocol::Reply &reply);
     static values::Error silence(const Open &open);
 

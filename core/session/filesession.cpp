@@ -14,8 +14,6 @@ namespace session {
 
 namespace {
 
-constexpr Milliseconds idLinger {5000};
-
 /// Some controllers may say "no file of that type" by refusing (reference §7.4).
 bool saysEmptyList(const Error &error)
 {
@@ -179,11 +177,8 @@ void FileSession::finish(const Result<QByteArray> &result)
     const Service service = m_orders.front().request.service;
     if (result && (service == Service::SaveFile || service == Service::ListFiles))
         m_lastAcknowledgement = m_transfer->lastPacket();
-    const bool isAnswered = result || result.error().kind == ErrorKind::Refused;
-    if (isAnswered && !m_transfer->wasRepeated())
-        m_ids.giveBack(m_transfer->id());
-    else
-        m_ids.rest(m_transfer->id(), now() + idLinger);
+    const bool isAnswered = (result || result.error().kind == ErrorKind::Refused) && !m_transfer->wasRepeated();
+    restId(isAnswered);
     m_transfer.reset();
     if (!result && result.error().kind != ErrorKind::Refused)
         ++m_counters.lost;
@@ -193,6 +188,13 @@ void FileSession::finish(const Result<QByteArray> &result)
         tell(order, result);
     }
     startNext();
+}
+
+/// Where a step was not answered, its answer may come a time-out later.
+void FileSession::restId(bool isAnswered)
+{
+    const Milliseconds missing = isAnswered ? Milliseconds {0} : m_policy.timeout;
+    m_ids.rest(m_transfer->id(), now() + m_policy.idLinger + missing);
 }
 
 bool FileSession::waitForBusy(const Error &error)
@@ -222,7 +224,7 @@ void FileSession::cancel(TransferId transfer)
     if (isUnderWay && !m_transfer->cancel().end)
         return; // the last block is out: what happens now is the truth
     if (isUnderWay) {
-        m_ids.rest(m_transfer->id(), now() + idLinger);
+        restId(false);
         m_transfer.reset();
     }
     tellLater(std::move(*order), {ErrorKind::Cancelled, 0, 0, {}});

@@ -69,6 +69,7 @@ private:
     void onTimer();
     void act(const Transfer::Step &step);
     void finish(const values::Result<QByteArray> &result);
+    void restId(bool isAnswered);
     bool waitForBusy(const values::Error &error);
     bool acknowledgeAgain(const protocol::Reply &reply);
     void send(const QByteArray &packet);

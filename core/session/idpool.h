@@ -4,17 +4,21 @@
 
 #include "session/policy.h"
 #include <QtGlobal>
-#include <array>
+#include <algorithm>
 #include <deque>
 #include <optional>
 
 namespace session {
 
-/// The 256 request ids (reference §1.1): each new request takes the next one. An id is not given out again while an
-/// answer to its last request could still come.
+/// The 256 request ids (reference §1.1): each new request takes the one that is free for longest. A reply names nothing
+/// but its id and a service, so an id is not given out again while an answer to its last request, or a second copy of
+/// that answer, could still come.
 class IdPool
 {
 public:
+    /// So many ids are left to stops, which wait for nothing and must not take another's answer for theirs.
+    static constexpr std::size_t keptForStops = 8;
+
     /// The first id should be random: a controller may still answer a program that ended a moment ago.
     explicit IdPool(quint8 first)
     {
@@ -22,37 +26,36 @@ public:
             m_free.push_back(quint8(first + i));
     }
 
-    /// The id that has rested longest; nullopt while all are in use or resting.
+    /// The id that has rested longest; nullopt while all but those for stops are in use or resting.
     [[nodiscard]] std::optional<quint8> take(Time now)
     {
         wake(now);
-        if (m_free.empty())
-            return std::nullopt;
-        const quint8 id = m_free.front();
-        m_free.pop_front();
-        return id;
+        return m_free.size() > keptForStops ? std::optional {takeFirst()} : std::nullopt;
     }
 
-    /// As take(), but for a stop, which waits for nothing: the id that has rested longest even if its rest is not over.
-    [[nodiscard]] std::optional<quint8> takeAnyway(Time now)
+    /// For a stop: any free id, and if there is none, the one that has rested longest. nullopt if all are in use.
+    [[nodiscard]] std::optional<quint8> takeForStop(Time now)
     {
-        if (auto id = take(now); id || m_resting.empty())
-            return id;
-        const quint8 id = m_resting.front().id;
-        m_resting.pop_front();
-        return id;
+        wake(now);
+        if (m_free.empty() && !m_resting.empty())
+            wakeFirst();
+        return m_free.empty() ? std::nullopt : std::optional {takeFirst()};
     }
 
-    /// Every try of the id was answered: it may be used again when its turn comes.
-    void giveBack(quint8 id) { m_free.push_back(id); }
-    /// A try of the id was not answered: it rests until `until`.
-    void rest(quint8 id, Time until) { m_resting.push_back({id, until}); }
-    /// When an id can be taken: `now`, or later if all others are in use or resting.
+    /// The request with this id is over; until `until` an answer to it may still come.
+    void rest(quint8 id, Time until)
+    {
+        const auto at = std::ranges::upper_bound(m_resting, until, {}, &Resting::until);
+        m_resting.insert(at, {id, until});
+    }
+
+    /// When take() has an id: `now`, or later if too many are in use or resting.
     [[nodiscard]] Time nextFree(Time now) const
     {
-        if (!m_free.empty())
+        if (m_free.size() > keptForStops)
             return now;
-        return m_resting.empty() ? Time::max() : std::max(now, m_resting.front().until);
+        const std::size_t missing = keptForStops - m_free.size();
+        return missing < m_resting.size() ? std::max(now, m_resting[missing].until) : Time::max();
     }
 
 private:
@@ -61,16 +64,25 @@ private:
         Time until;
     };
 
+    quint8 takeFirst()
+    {
+        const quint8 id = m_free.front();
+        m_free.pop_front();
+        return id;
+    }
+    void wakeFirst()
+    {
+        m_free.push_back(m_resting.front().id);
+        m_resting.pop_front();
+    }
     void wake(Time now)
     {
-        while (!m_resting.empty() && m_resting.front().until <= now) {
-            m_free.push_back(m_resting.front().id);
-            m_resting.pop_front();
-        }
+        while (!m_resting.empty() && m_resting.front().until <= now)
+            wakeFirst();
     }
 
     std::deque<quint8> m_free;
-    std::deque<Resting> m_resting; // in the order of `until`, since the rest is always equally long
+    std::deque<Resting> m_resting; // in the order of `until`
 };
 
 } // namespace session

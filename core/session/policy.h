@@ -19,11 +19,13 @@ constexpr int priorityCount = 4;
 struct Policy {
     Milliseconds timeout {300}; ///< The longest wait for one try of a read, and before the next try of a stop.
     bool isAdaptive = true; ///< Repeat sooner than `timeout` where the round trips seen so far allow it.
-    int repeats = 2; ///< How often an unanswered read is repeated, with the same id.
+    int repeats = 2; ///< After so many further time-outs a read is given up. Until then it is repeated, with the same id.
     Milliseconds controlTimeout {1000}; ///< For the single try of a write, a start or a move.
     Milliseconds servoTimeout {8000}; ///< The answer to a start may come only when power is on (reference §11).
     Milliseconds stopPeriod {2000}; ///< A stop is repeated until it is answered, or for this long.
-    Milliseconds idLinger {2000}; ///< How long an answer may still come to a try that was not answered.
+    /// How long an answer, or a second copy of one, may still come. An id rests for that long, so no more than about
+    /// 120 requests a second leave for one controller, whatever the ceiling: there are 256 ids (reference §1.1, §11).
+    Milliseconds idLinger {2000};
     Milliseconds busyLeast {50}; ///< A read answered "busy" is asked again after a random wait between these two.
     Milliseconds busyMost {200};
     int busyRepeats = 5; ///< How often at the most.

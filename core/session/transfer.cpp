@@ -15,14 +15,19 @@ Transfer::Transfer(
       m_id {id},
       m_policy {policy},
       m_retransmission {retransmission},
-      m_upload {std::move(upload)}
+      m_upload {std::move(upload)},
+      m_collector {protocol::sizeLimit(m_request)}
 {
     Q_ASSERT(isLoad() == !m_upload.isEmpty());
     if (isLoad())
         m_blockCount = protocol::blockCount(m_upload, m_policy.blockSize);
 }
 
-QByteArray Transfer::start(Time now) { return send(protocol::encodeFileRequest(m_request, m_id), now).packet; }
+QByteArray Transfer::start(Time now)
+{
+    m_markedAt = now;
+    return send(protocol::encodeFileRequest(m_request, m_id), now).packet;
+}
 
 Transfer::Step Transfer::send(const QByteArray &packet, Time now)
 {
@@ -69,16 +74,35 @@ Transfer::Step Transfer::receiveAcknowledgement(const Reply &reply, Time now)
 Transfer::Step Transfer::receiveBlock(const Reply &reply, Time now)
 {
     const auto taken = m_collector.take(reply);
+    if (m_collector.fault())
+        return {{}, tl::unexpected(*m_collector.fault())};
     if (!taken)
         return {}; // an older block that took its time
     const QByteArray acknowledgement = protocol::encodeAcknowledgement(m_request.service, m_id, reply.framing.block);
     if (*taken == BlockCollector::Step::Repeated)
         return {acknowledgement, {}};
+    if (*taken == BlockCollector::Step::Next && hasStalled(now))
+        return {{}, values::failure(ErrorKind::Malformed, QStringLiteral("the transfer gets nowhere"))};
     measure(now);
     Step step = send(acknowledgement, now);
     if (*taken == BlockCollector::Step::Complete)
         step.end = m_collector.content();
     return step;
+}
+
+bool Transfer::hasStalled(Time now)
+{
+    if (now - m_markedAt < m_policy.progressPeriod)
+        return false;
+    const qsizetype size = m_collector.content().size();
+    m_markedAt = now;
+    return size - std::exchange(m_markedSize, size) < m_policy.leastProgress;
+}
+
+bool Transfer::mayRepeat() const
+{
+    const bool isOrder = m_request.service == Service::DeleteFile || (isLoad() && m_block == 0);
+    return m_tries == 1 && !isOrder;
 }
 
 values::Error Transfer::silence() const
@@ -91,13 +115,12 @@ Transfer::Step Transfer::expire(Time now)
 {
     if (now < m_nextTry)
         return {};
-    const bool mayRepeat = m_tries == 1 && m_request.service != Service::DeleteFile;
     const Time end = m_sentAt + m_policy.timeout;
-    if (now < end && !mayRepeat) {
+    if (now < end && !mayRepeat()) {
         m_nextTry = end;
         return {};
     }
-    if (!mayRepeat)
+    if (!mayRepeat())
         return {{}, tl::unexpected(silence())};
     ++m_tries;
     m_wasRepeated = true;

@@ -9,21 +9,29 @@
 
 namespace session {
 
-/// How long and how often the file port is asked.
+/// How long and how often the file port is asked. What a transfer may bring: protocol/filelimits.h.
 struct FilePolicy {
     Milliseconds timeout {3000}; ///< For one step: a block and its acknowledgement, one repeat included.
     Milliseconds repeatFloor {100}; ///< The earliest repeat; a controller may take its time to register a job.
     Milliseconds busyLeast {50}; ///< A list or a save answered "busy" is asked again after a random wait between these.
     Milliseconds busyMost {200};
     int busyRepeats = 5;
+    /// A controller that sends a byte now and then answers every step and gets nowhere: a file that does not end must
+    /// have grown by `leastProgress` bytes in each `progressPeriod`. A block of 400 bytes in 3 s is 8000 in a minute.
+    Milliseconds progressPeriod {60000};
+    qsizetype leastProgress = 1024;
+    /// How long a second copy of an answer may still come: an id rests for that long, so about 120 transfers a second
+    /// can begin. A block of one file must not be taken for that of another.
+    Milliseconds idLinger {2000};
     qsizetype blockSize = protocol::blockSize; ///< Of a load, 1 to 479.
 };
 
 /// One file service from its request to its end: stop and wait, block by block (reference §7). No socket and no clock;
 /// `now` is a parameter.
 ///
-/// A block or an acknowledgement that got no answer is repeated once, then the transfer fails. A delete is never
-/// repeated.
+/// A block or an acknowledgement that got no answer is repeated once, by its number, which tells the controller that it
+/// has it already; then the transfer fails. So is the request of a save or a list. The request of a load and a delete
+/// are sent once.
 class Transfer
 {
 public:
@@ -65,6 +73,8 @@ private:
     Step send(const QByteArray &packet, Time now);
     void measure(Time now);
     values::Error silence() const;
+    [[nodiscard]] bool mayRepeat() const;
+    [[nodiscard]] bool hasStalled(Time now);
 
     protocol::Request m_request;
     quint8 m_id;
@@ -77,6 +87,8 @@ private:
     QByteArray m_packet; ///< The last one sent.
     Time m_sentAt {};
     Time m_nextTry {};
+    Time m_markedAt {}; ///< When the present progress period began,
+    qsizetype m_markedSize = 0; ///< and how much had come by then.
     int m_tries = 0;
     bool m_wasRepeated = false;
 };

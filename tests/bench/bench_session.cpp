@@ -90,6 +90,7 @@ Policy fastPolicy(int window = 1)
     Policy policy;
     policy.window = window;
     policy.requestsPerSecond = 0;
+    policy.idLinger = {}; // what is measured is the cost of a request, not how many a second may leave
     return policy;
 }
 

@@ -143,9 +143,11 @@ bool isMadeOf(QByteArrayView content, const FileList &list)
     qsizetype names = 0;
     qsizetype rejected = 0;
     while (!content.isEmpty()) {
-        const qsizetype found = content.indexOf("\r\n");
-        const auto line = found < 0 ? content : content.first(found);
-        content = found < 0 ? QByteArrayView {} : content.sliced(found + 2);
+        const qsizetype found = content.indexOf('\n');
+        auto line = found < 0 ? content : content.first(found);
+        content = found < 0 ? QByteArrayView {} : content.sliced(found + 1);
+        if (line.endsWith('\r'))
+            line.chop(1);
         if (line.isEmpty())
             continue;
         if (names < list.names.size() && list.names[names].bytes() == line)

@@ -209,8 +209,10 @@ void FileBlocksTest::parsesLists_data()
     QTest::newRow("space in a name") << QByteArray("A B.JBI\r\n") << QByteArrayList {"A B.JBI"} << QByteArrayList {};
     QTest::newRow("leads out of a folder") << QByteArray("../x\r\nA.JBI\r\n/etc/passwd\r\n") << QByteArrayList {"A.JBI"}
                                            << QByteArrayList {"../x", "/etc/passwd"};
-    QTest::newRow("line feed alone") << QByteArray("A.JBI\nB.JBI\r\n") << QByteArrayList {}
-                                     << QByteArrayList {"A.JBI\nB.JBI"};
+    QTest::newRow("line feed alone") << QByteArray("A.JBI\nB.JBI\n") << QByteArrayList {"A.JBI", "B.JBI"}
+                                     << QByteArrayList {};
+    QTest::newRow("carriage return alone") << QByteArray("A.JBI\rB.JBI\n") << QByteArrayList {}
+                                           << QByteArrayList {"A.JBI\rB.JBI"};
 }
 
 void FileBlocksTest::parsesLists()
