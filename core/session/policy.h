@@ -19,7 +19,8 @@ constexpr int priorityCount = 4;
 struct Policy {
     Milliseconds timeout {300}; ///< The longest wait for one try of a read, and before the next try of a stop.
     bool isAdaptive = true; ///< Repeat sooner than `timeout` where the round trips seen so far allow it.
-    int repeats = 2; ///< After so many further time-outs a read is given up. Until then it is repeated, with the same id.
+    int repeats =
+        2; ///< After so many further time-outs a read is given up. Until then it is repeated, with the same id.
     Milliseconds controlTimeout {1000}; ///< For the single try of a write, a start or a move.
     Milliseconds servoTimeout {8000}; ///< The answer to a start may come only when power is on (reference §11).
     Milliseconds stopPeriod {2000}; ///< A stop is repeated until it is answered, or for this long.

@@ -211,8 +211,8 @@ void FileBlocksTest::parsesLists_data()
                                            << QByteArrayList {"../x", "/etc/passwd"};
     QTest::newRow("line feed alone") << QByteArray("A.JBI\nB.JBI\n") << QByteArrayList {"A.JBI", "B.JBI"}
                                      << QByteArrayList {};
-    QTest::newRow("carriage return alone") << QByteArray("A.JBI\rB.JBI\n") << QByteArrayList {}
-                                           << QByteArrayList {"A.JBI\rB.JBI"};
+    QTest::newRow("carriage return alone")
+        << QByteArray("A.JBI\rB.JBI\n") << QByteArrayList {} << QByteArrayList {"A.JBI\rB.JBI"};
 }
 
 void FileBlocksTest::parsesLists()

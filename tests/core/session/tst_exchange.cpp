@@ -331,9 +331,9 @@ private Q_SLOTS:
                 payload = QByteArray::number(packet.instance);
             else if (isLost++ % 2)
                 return;
-            const QByteArray reply = protocol::encode(protocol::Reply {
-                {protocol::Division::Robot, true, packet.framing.id, protocol::lastBlock},
-                protocol::replyService(packet.service), 0, 0, 0, payload});
+            const QByteArray reply = protocol::encode(
+                protocol::Reply {{protocol::Division::Robot, true, packet.framing.id, protocol::lastBlock},
+                    protocol::replyService(packet.service), 0, 0, 0, payload});
             inTheAir.emplace(wire.now + 2ms, reply);
             inTheAir.emplace(wire.now + std::chrono::milliseconds {int(random() % 1900)}, reply);
         };
@@ -391,7 +391,8 @@ private Q_SLOTS:
         for (; after < 0 && !wire.exchange.isIdle(); wire.now += 1ms) {
             wire.endings = wire.exchange.expire(wire.now);
             const auto packets = wire.depart();
-            if (!packets.isEmpty() && wire.now - begun >= std::chrono::milliseconds {gap} && wire.answer(packets.first()))
+            if (!packets.isEmpty() && wire.now - begun >= std::chrono::milliseconds {gap}
+                && wire.answer(packets.first()))
                 after = int((wire.now - begun) / 1ms);
         }
         QCOMPARE(after, answered);
