@@ -31,7 +31,7 @@ AccessSwitch::AccessSwitch(robot::Access &access, QWidget *parent) : QPushButton
     }
     menu->addSeparator();
     m_passcode = menu->addAction(tr("Passcode and idle time…"), this,
-        [this] { (new dialogs::AccessSettingsDialog(m_access, window()))->show(); });
+        [this] { (new dialogs::AccessSettingsDialog(m_access.rules(), window()))->show(); });
     m_passcode->setObjectName(QStringLiteral("accessSettings"));
     setMenu(menu);
     connect(&access, &robot::Access::levelChanged, this, &AccessSwitch::showLevel);
@@ -45,13 +45,13 @@ void AccessSwitch::showLevel()
     setAccessibleName(tr("Access level: %1").arg(title(level)));
     for (qsizetype i = 0; i < m_levels.size(); ++i) {
         m_levels[i]->setChecked(int(level) == i);
-        m_levels[i]->setEnabled(i == 0 || !m_access.isMonitorOnly());
+        m_levels[i]->setEnabled(i == 0 || !m_access.rules().isMonitorOnly());
     }
     m_passcode->setEnabled(level == Level::Engineer);
-    setToolTip(m_access.isMonitorOnly()
+    setToolTip(m_access.rules().isMonitorOnly()
             ? tr("This program was started with --monitor-only: it watches and holds.")
             : tr("What may be done from here. It falls back to Monitor after %n minute(s) without key or mouse.",
-                nullptr, int(m_access.settings().idleTime.count())));
+                nullptr, int(m_access.rules().settings().idleTime.count())));
 }
 
 void AccessSwitch::enter(Level level)

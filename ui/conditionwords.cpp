@@ -192,7 +192,8 @@ QString reason(Arming::Drop drop)
     case Drop::ModeChanged: return Conditions::tr("the mode changed at the controller");
     case Drop::Alarm: return Conditions::tr("an alarm came up");
     case Drop::AccessDropped: return Conditions::tr("the access level fell back");
-    case Drop::ProfileChanged: return Conditions::tr("the controller or its profile was changed");
+    case Drop::Disconnected: return Conditions::tr("the connection was closed");
+    case Drop::LanguageChanged: return Conditions::tr("the language was changed");
     case Drop::SecondWindow: return Conditions::tr("another window came to the front");
     case Drop::OtherController: return Conditions::tr("another controller was armed");
     }

@@ -34,14 +34,11 @@ QList<robot::TopicRange> alwaysRead()
 
 } // namespace
 
-ControllerView::ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStore &store, Authority authority,
-    const Actions &actions, QWidget *parent)
+ControllerView::ControllerView(std::shared_ptr<station::Station> station, const Actions &actions, QWidget *parent)
     : QWidget(parent),
-      m_desk {std::move(desk)},
-      m_store {store},
-      m_authority {authority},
+      m_station {std::move(station)},
       m_actions {actions},
-      m_rail {new NavigationRail(controller().state(), m_desk->profile(), actions)},
+      m_rail {new NavigationRail(controller().state(), m_station->profile(), actions)},
       m_bar {new widgets::MessageBar},
       m_lockBar {new widgets::MessageBar},
       m_journalBar {new widgets::MessageBar},
@@ -59,27 +56,27 @@ ControllerView::ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStor
     m_journalBar->setObjectName(QStringLiteral("journalBar"));
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
-    const QString &name = m_desk->profile().name;
-    const auto *backup = new BackupAge(name, store.notes(name), this);
+    const QString &name = m_station->profile().name;
+    const auto *backup = new BackupAge(name, m_station->notes(), this);
     connect(backup, &BackupAge::told, m_rail, &NavigationRail::showBackup);
     connect(m_bar, &widgets::MessageBar::linkActivated, this, [this] {
         if (m_barAction)
             m_actions.action(*m_barAction)->trigger();
     });
-    const auto *contact = new FirstContact(controller(), m_store, this);
+    const auto *contact = new FirstContact(controller(), m_station->shared.store, this);
     connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
     follow();
     followJournal();
-    new Announcer(alarms(), protocol::TextCodec {m_desk->profile().encoding}, this);
+    new Announcer(alarms(), protocol::TextCodec {m_station->profile().encoding}, this);
     openPage(0);
     onLinkChanged();
 }
 
 RobotStrip *ControllerView::makeStrip()
 {
-    auto *strip = new RobotStrip(controller().state(), m_desk->profile());
+    auto *strip = new RobotStrip(controller().state(), m_station->profile());
     strip->addBadge(new ArmBadge(orders()));
-    strip->addBadge(new AccessSwitch(m_authority.access));
+    strip->addBadge(new AccessSwitch(m_station->access));
     connect(strip, &RobotStrip::holdRequested, this, &ControllerView::hold);
     return strip;
 }
@@ -113,8 +110,7 @@ pages::Page *ControllerView::page(int row)
 
 pages::Page *ControllerView::makePage(int row)
 {
-    const pages::Context context {controller(), orders(), alarms(), m_authority.journal, controller().state(),
-        m_desk->profile(), m_store, names(), m_desk->numbering, m_actions, recorder()};
+    const pages::Context context {*m_station, m_station->shared.store, m_actions};
     const PageRow &entry = pageCatalog()[std::size_t(row)];
     pages::Page *page = entry.create(context, m_stack);
     page->setObjectName(QLatin1String(entry.id) + QStringLiteral("Page"));
@@ -164,7 +160,7 @@ void ControllerView::follow()
     connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
 }
 
-/// The widgets look at the desk: they go first.
+/// The widgets look at the station: they go first.
 ControllerView::~ControllerView() { qDeleteAll(findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly)); }
 
 void ControllerView::openPage(int row)
@@ -204,7 +200,7 @@ void ControllerView::openInWindow(const QString &id)
         return;
     m_stack->removeWidget(page(row));
     auto *window =
-        new PageWindow(makeStrip(), page(row), tr("%1 — %2").arg(title(*found), m_desk->profile().name), this);
+        new PageWindow(makeStrip(), page(row), tr("%1 — %2").arg(title(*found), m_station->profile().name), this);
     connect(window, &PageWindow::closed, this, &ControllerView::takeBack);
     showLink();
     window->show();
@@ -268,7 +264,7 @@ void ControllerView::openReadiness(bool isAsked)
 {
     auto *sheet = findChild<dialogs::ReadinessSheet *>();
     if (!sheet) {
-        sheet = new dialogs::ReadinessSheet(orders(), m_desk->numbering, m_store, this);
+        sheet = new dialogs::ReadinessSheet(orders(), m_station->numbering, m_station->shared.store, this);
         sheet->setAttribute(Qt::WA_ShowWithoutActivating, !isAsked);
         const int room = height() - space::strip - 2 * space::page;
         sheet->resize(sheet->width(), std::min(sheet->height(), room));
@@ -297,7 +293,7 @@ void ControllerView::show(const Notice &notice)
 void ControllerView::onLinkChanged()
 {
     showLink();
-    show(noticeOf(linkView(controller()), m_desk->profile()));
+    show(noticeOf(linkView(controller()), m_station->profile()));
 }
 
 void ControllerView::onHoldProgressChanged()
@@ -319,7 +315,8 @@ void ControllerView::onStatisticsChanged()
 void ControllerView::showLock()
 {
     const QString text = tr("HLOCK is on at %1: the pendant is locked out, but for its emergency stop.");
-    const widgets::Message locked {widgets::Severity::Warning, text.arg(m_desk->profile().name), tr("Release HLOCK")};
+    const widgets::Message locked {
+        widgets::Severity::Warning, text.arg(m_station->profile().name), tr("Release HLOCK")};
     m_lockBar->show(orders().isPendantLocked() ? locked : widgets::Message {});
 }
 
@@ -328,7 +325,7 @@ void ControllerView::followJournal()
 {
     using journal::Store;
     using widgets::Severity;
-    Store &journal = m_authority.journal;
+    Store &journal = m_station->shared.journal;
     const auto fail = [this](const QString &reason) { m_journalBar->show({Severity::Warning, reason, {}}); };
     connect(&journal, &Store::failed, this, fail);
     connect(&journal, &Store::recovered, this, [this](qint64 dropped) {
@@ -348,7 +345,7 @@ void ControllerView::releaseLock()
 {
     orders().send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, [this](const values::Result<void> &result) {
         if (!result) {
-            const auto text = explain(robot::Act::HlockOff, result.error(), m_desk->profile().model);
+            const auto text = explain(robot::Act::HlockOff, result.error(), m_station->profile().model);
             show({{widgets::Severity::Warning, text, {}}, {}});
         }
     });

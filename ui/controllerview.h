@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "ui/desk.h"
+#include "station/station.h"
 #include "ui/messages.h"
 #include <QTimer>
 #include <QWidget>
@@ -31,17 +31,16 @@ class ControllerView : public QWidget
     Q_OBJECT
 
 public:
-    /// `store`, `authority` and `actions` must outlive the view.
-    ControllerView(std::shared_ptr<Desk> desk, settings::ProfileStore &store, Authority authority,
-        const Actions &actions, QWidget *parent = nullptr);
+    /// `actions` must outlive the view.
+    ControllerView(std::shared_ptr<station::Station> station, const Actions &actions, QWidget *parent = nullptr);
     ~ControllerView() override;
 
-    [[nodiscard]] const std::shared_ptr<Desk> &desk() { return m_desk; }
-    [[nodiscard]] robot::Controller &controller() { return m_desk->controller; }
-    [[nodiscard]] trend::Recorder &recorder() { return m_desk->recorder; }
-    [[nodiscard]] robot::Orders &orders() { return m_desk->orders; }
-    [[nodiscard]] robot::AlarmLog &alarms() { return m_desk->alarms; }
-    [[nodiscard]] robot::NameBook &names() { return m_desk->names; }
+    [[nodiscard]] const std::shared_ptr<station::Station> &station() { return m_station; }
+    [[nodiscard]] robot::Controller &controller() { return m_station->controller; }
+    [[nodiscard]] trend::Recorder &recorder() { return m_station->recorder; }
+    [[nodiscard]] robot::Orders &orders() { return m_station->orders; }
+    [[nodiscard]] robot::AlarmLog &alarms() { return m_station->alarms; }
+    [[nodiscard]] robot::NameBook &names() { return m_station->names; }
     /// The page of this row of the catalogue.
     [[nodiscard]] pages::Page *page(int row);
     /// The row of the page in view in this window.
@@ -95,9 +94,7 @@ private:
     void followJournal();
     void openReadiness(bool isAsked);
 
-    std::shared_ptr<Desk> m_desk;
-    settings::ProfileStore &m_store;
-    Authority m_authority;
+    std::shared_ptr<station::Station> m_station;
     const Actions &m_actions;
     NavigationRail *m_rail;
     widgets::MessageBar *m_bar;

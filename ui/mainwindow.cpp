@@ -24,10 +24,9 @@ namespace ui {
 
 using robot::LinkState;
 
-MainWindow::MainWindow(settings::ProfileStore &store, Authority authority, StartDemo startDemo, QWidget *parent)
+MainWindow::MainWindow(station::Shared shared, StartDemo startDemo, QWidget *parent)
     : QMainWindow(parent),
-      m_store {store},
-      m_authority {authority},
+      m_shared {shared},
       m_startDemo {std::move(startDemo)},
       m_actions {new Actions(this)},
       m_level {widgets::text({}, Type::Label, Role::Text2)},
@@ -38,7 +37,7 @@ MainWindow::MainWindow(settings::ProfileStore &store, Authority authority, Start
     makeStatusBar();
     connect(m_actions, &Actions::triggered, this, &MainWindow::run);
     connect(m_actions, &Actions::profileChosen, this, [this](const QString &name) {
-        if (const auto profile = m_store.find(name))
+        if (const auto profile = m_shared.store.find(name))
             connectTo(*profile);
     });
     connect(new HoldKey(this), &HoldKey::pressed, this, [this] { run(ActionId::Hold); });
@@ -51,15 +50,13 @@ void MainWindow::makeStatusBar()
 {
     m_level->setObjectName(QStringLiteral("levelInStatusBar"));
     statusBar()->addWidget(m_level);
-    connect(&m_authority.access, &robot::Access::levelChanged, this, &MainWindow::showLevel);
-    showLevel();
     statusBar()->addWidget(m_requests);
     m_requests->setObjectName(QStringLiteral("requestsPerSecond"));
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(space::page - 4, 0, space::page, 0);
 }
 
-void MainWindow::showLevel() { m_level->setText(tr("Level: %1").arg(title(m_authority.access.level()))); }
+void MainWindow::showLevel() { m_level->setText(tr("Level: %1").arg(title(m_view->station()->access.level()))); }
 
 void MainWindow::openAccessMenu()
 {
@@ -109,29 +106,31 @@ void MainWindow::offerRelease()
 void MainWindow::offer(const settings::Profile &profile)
 {
     if (m_view) {
-        disarm();
+        disarm(robot::Arming::Drop::Disconnected);
         controller().disconnect(this);
         controller().close();
     }
-    show(std::make_shared<Desk>(profile, m_store, m_authority));
+    show(std::make_shared<station::Station>(profile, m_shared));
 }
 
-void MainWindow::disarm()
+void MainWindow::disarm(robot::Arming::Drop reason)
 {
     if (m_view->orders().isArmed())
-        m_authority.arming.drop(robot::Arming::Drop::ProfileChanged);
+        m_shared.arming.drop(reason);
 }
 
-/// Puts widgets around the desk, in place of those that are there.
-void MainWindow::show(std::shared_ptr<Desk> desk)
+/// Puts widgets around the station, in place of those that are there.
+void MainWindow::show(std::shared_ptr<station::Station> station)
 {
     if (QWidget *old = takeCentralWidget()) {
         old->deleteLater(); // it may be one of its buttons that led here
     }
-    m_view = new ControllerView(std::move(desk), m_store, m_authority, *m_actions);
+    m_view = new ControllerView(std::move(station), *m_actions);
     setCentralWidget(m_view);
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
+    connect(&m_view->station()->access, &robot::Access::levelChanged, m_view, [this] { showLevel(); });
+    showLevel();
     connect(m_view, &ControllerView::pageOpened, this, &MainWindow::showHelpOf);
     showHelpOf(m_view->pageInView());
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
@@ -149,17 +148,16 @@ void MainWindow::changeEvent(QEvent *event)
     QMainWindow::changeEvent(event);
 }
 
-/// Everything in the window is made anew but the controller's desk: the link stays up, and what was read is shown.
+/// Everything in the window is made anew but the station: the link stays up, and what was read is shown.
 void MainWindow::translate()
 {
     const int row = m_view->openRow();
-    disarm();
+    disarm(robot::Arming::Drop::LanguageChanged);
     for (QDialog *dialog : findChildren<QDialog *>(QString(), Qt::FindDirectChildrenOnly))
         dialog->close();
     m_actions->translate();
-    showLevel();
     controller().disconnect(this);
-    show(m_view->desk());
+    show(m_view->station());
     m_view->openPage(row);
 }
 
@@ -183,18 +181,18 @@ void MainWindow::leavePages(const std::function<void()> &then)
 /// The windows that stood open the last time, and from now on what is opened and closed is kept.
 void MainWindow::restoreWindows()
 {
-    for (const QString &id : m_store.pagesInWindows())
+    for (const QString &id : m_shared.store.pagesInWindows())
         m_view->openInWindow(id);
     connect(m_view, &ControllerView::pagesInWindowsChanged, this,
-        [this] { m_store.setPagesInWindows(m_view->pagesInWindows()); });
+        [this] { m_shared.store.setPagesInWindows(m_view->pagesInWindows()); });
 }
 
 void MainWindow::connectTo(const settings::Profile &profile)
 {
     leavePages([this, profile] {
         offer(profile);
-        if (m_store.find(profile.name))
-            m_store.setLastUsed(profile.name);
+        if (m_shared.store.find(profile.name))
+            m_shared.store.setLastUsed(profile.name);
         controller().open();
     });
 }
@@ -231,7 +229,7 @@ void MainWindow::run(ActionId id)
 void MainWindow::openConnectionDialog()
 {
     if (!m_connectionDialog) {
-        m_connectionDialog = new dialogs::ConnectionDialog(m_store, controller().profile().name, this);
+        m_connectionDialog = new dialogs::ConnectionDialog(m_shared.store, controller().profile().name, this);
         connect(m_connectionDialog, &dialogs::ConnectionDialog::connectRequested, this, &MainWindow::connectTo);
     }
     m_connectionDialog->show();
@@ -266,7 +264,7 @@ void MainWindow::copyDiagnosis()
 
 void MainWindow::openAppearance()
 {
-    auto *dialog = new dialogs::AppearanceDialog(m_store.appearance(), this);
+    auto *dialog = new dialogs::AppearanceDialog(m_shared.store.appearance(), this);
     connect(dialog, &dialogs::AppearanceDialog::chosen, this, &MainWindow::wear);
     dialog->open();
 }
@@ -274,10 +272,10 @@ void MainWindow::openAppearance()
 void MainWindow::wear(const settings::Appearance &wanted)
 {
     const auto change = [this, wanted] {
-        m_store.setAppearance(wanted);
+        m_shared.store.setAppearance(wanted);
         ui::wear(*qApp, wanted);
     };
-    if (wanted.language == m_store.appearance().language)
+    if (wanted.language == m_shared.store.appearance().language)
         change(); // no page is made anew
     else
         leavePages(change);

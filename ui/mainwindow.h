@@ -29,8 +29,8 @@ public:
     /// Starts the simulated controller, if it does not run yet, and tells where it listens.
     using StartDemo = std::function<values::Result<settings::Profile>()>;
 
-    /// `store` and `authority` must outlive the window.
-    MainWindow(settings::ProfileStore &store, Authority authority, StartDemo startDemo, QWidget *parent = nullptr);
+    /// What is shared must outlive the window.
+    MainWindow(station::Shared shared, StartDemo startDemo, QWidget *parent = nullptr);
 
     /// Shows the profile's controller without connecting.
     void offer(const settings::Profile &profile);
@@ -49,9 +49,9 @@ protected:
 
 private:
     void run(ActionId id);
-    void show(std::shared_ptr<Desk> desk);
+    void show(std::shared_ptr<station::Station> station);
     void translate();
-    void disarm();
+    void disarm(robot::Arming::Drop reason);
     void leavePages(const std::function<void()> &then);
     void openAppearance();
     void wear(const settings::Appearance &wanted);
@@ -69,8 +69,7 @@ private:
     void onLinkStateChanged();
     void onStatisticsChanged();
 
-    settings::ProfileStore &m_store;
-    Authority m_authority;
+    station::Shared m_shared;
     StartDemo m_startDemo;
     Actions *m_actions;
     ControllerView *m_view = nullptr;

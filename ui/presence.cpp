@@ -27,8 +27,8 @@ QWindow *homeOf(QWindow *window)
 
 } // namespace
 
-Presence::Presence(robot::Access &access, Arming &arming, QObject *parent)
-    : QObject(parent), m_access {access}, m_arming {arming}
+Presence::Presence(robot::AccessRules &rules, Arming &arming, QObject *parent)
+    : QObject(parent), m_rules {rules}, m_arming {arming}
 {
     qApp->installEventFilter(this);
     connect(&arming, &Arming::changed, this, &Presence::onArmingChanged);
@@ -40,7 +40,7 @@ bool Presence::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->spontaneous() && isActivity(event->type())) {
         const auto now = std::chrono::steady_clock::now();
-        m_access.noteActivity(now);
+        m_rules.noteActivity(now);
         m_arming.noteActivity(now);
     }
     return QObject::eventFilter(watched, event);

@@ -17,7 +17,7 @@ class Presence : public QObject
 
 public:
     /// Both must outlive this.
-    Presence(robot::Access &access, robot::Arming &arming, QObject *parent = nullptr);
+    Presence(robot::AccessRules &rules, robot::Arming &arming, QObject *parent = nullptr);
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 
@@ -26,7 +26,7 @@ private:
     void onFocusWindowChanged(QWindow *window);
     void onApplicationStateChanged(Qt::ApplicationState state);
 
-    robot::Access &m_access;
+    robot::AccessRules &m_rules;
     robot::Arming &m_arming;
     QPointer<QWindow> m_home; ///< In front when it was armed.
 };

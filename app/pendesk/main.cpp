@@ -64,15 +64,15 @@ int run(const Options &options, QApplication &application)
     const auto target = wanted(options, demo);
     if (!target)
         return complain(target.error().detail, NoAnswer);
-    robot::Access access {settings::readAccess(file)};
+    robot::AccessRules rules {settings::readAccess(file)};
     robot::Arming arming;
     if (options.isMonitorOnly)
-        access.restrictToMonitor();
-    const ui::Presence presence {access, arming};
+        rules.restrictToMonitor();
+    const ui::Presence presence {rules, arming};
     QObject::connect(
-        &access, &robot::Access::settingsChanged, &access, [&] { settings::writeAccess(file, access.settings()); });
+        &rules, &robot::AccessRules::settingsChanged, &rules, [&] { settings::writeAccess(file, rules.settings()); });
     journal::Store journal;
-    ui::MainWindow window {store, {access, arming, journal}, [&demo] { return demo.start(); }};
+    ui::MainWindow window {{store, rules, arming, journal}, [&demo] { return demo.start(); }};
     window.offer(target->value_or(store.find(store.lastUsed()).value_or(settings::Profile {})));
     std::optional<Timings> timings;
     if (options.wantsTimings)

@@ -6,40 +6,45 @@ using namespace std::chrono_literals;
 
 namespace robot {
 
-Access::Access(settings::AccessSettings settings, QObject *parent)
+AccessRules::AccessRules(settings::AccessSettings settings, QObject *parent)
     : QObject {parent}, m_settings {std::move(settings)}, m_lastActivity {now()}
 {
-    connect(&m_clock, &QTimer::timeout, this, [this] { tick(now()); });
 }
 
-void Access::restrictToMonitor()
+void AccessRules::restrictToMonitor()
 {
     m_isMonitorOnly = true;
-    setLevel(Level::Monitor);
+    Q_EMIT restricted();
 }
 
-bool Access::needsPasscode(Level level) const { return level > m_level && m_settings.passcode.has_value(); }
-
-Access::Answer Access::enter(Level level, const QString &passcode)
-{
-    if (m_isMonitorOnly && level != Level::Monitor)
-        return Answer::MonitorOnly;
-    if (needsPasscode(level) && !m_settings.passcode->matches(passcode))
-        return Answer::WrongPasscode;
-    noteActivity(now());
-    setLevel(level);
-    return Answer::Entered;
-}
-
-void Access::setSettings(const settings::AccessSettings &settings)
+void AccessRules::setSettings(const settings::AccessSettings &settings)
 {
     m_settings = settings;
     Q_EMIT settingsChanged();
 }
 
+Access::Access(AccessRules &rules, QObject *parent) : QObject {parent}, m_rules {rules}
+{
+    connect(&rules, &AccessRules::restricted, this, [this] { setLevel(Level::Monitor); });
+    connect(&m_clock, &QTimer::timeout, this, [this] { tick(now()); });
+}
+
+bool Access::needsPasscode(Level level) const { return level > m_level && m_rules.settings().passcode.has_value(); }
+
+Access::Answer Access::enter(Level level, const QString &passcode)
+{
+    if (m_rules.isMonitorOnly() && level != Level::Monitor)
+        return Answer::MonitorOnly;
+    if (needsPasscode(level) && !m_rules.settings().passcode->matches(passcode))
+        return Answer::WrongPasscode;
+    m_rules.noteActivity(now());
+    setLevel(level);
+    return Answer::Entered;
+}
+
 void Access::tick(Time now)
 {
-    if (now - m_lastActivity >= m_settings.idleTime)
+    if (now - m_rules.lastActivity() >= m_rules.settings().idleTime)
         setLevel(Level::Monitor);
 }
 

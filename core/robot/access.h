@@ -10,8 +10,39 @@
 
 namespace robot {
 
-/// The access level, one object for the whole program. It starts at Monitor and falls back to it when nobody has used
-/// key or mouse for some minutes. The passcode guards against mistakes, not against attackers.
+/// What this program allows at most, and how one gets there: one object for all controllers. The passcode guards
+/// against mistakes, not against attackers.
+class AccessRules : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit AccessRules(settings::AccessSettings settings = {}, QObject *parent = nullptr);
+
+    /// Takes the other levels away for as long as the program runs.
+    void restrictToMonitor();
+    [[nodiscard]] bool isMonitorOnly() const { return m_isMonitorOnly; }
+    [[nodiscard]] const settings::AccessSettings &settings() const { return m_settings; }
+    /// Another passcode or idle time from now on; the owner keeps them.
+    void setSettings(const settings::AccessSettings &settings);
+
+    /// Somebody used key or mouse.
+    void noteActivity(Time now) { m_lastActivity = now; }
+    [[nodiscard]] Time lastActivity() const { return m_lastActivity; }
+
+Q_SIGNALS:
+    void settingsChanged();
+    /// From now on there is Monitor alone.
+    void restricted();
+
+private:
+    settings::AccessSettings m_settings;
+    bool m_isMonitorOnly = false;
+    Time m_lastActivity;
+};
+
+/// The access level at one controller. It starts at Monitor and falls back to it when nobody has used key or mouse for
+/// some minutes.
 class Access : public QObject
 {
     Q_OBJECT
@@ -19,37 +50,27 @@ class Access : public QObject
 public:
     enum class Answer { Entered, WrongPasscode, MonitorOnly };
 
-    explicit Access(settings::AccessSettings settings = {}, QObject *parent = nullptr);
+    /// `rules` must outlive it.
+    explicit Access(AccessRules &rules, QObject *parent = nullptr);
 
+    [[nodiscard]] AccessRules &rules() const { return m_rules; }
     [[nodiscard]] Level level() const { return m_level; }
-    /// Takes the other levels away for as long as the program runs.
-    void restrictToMonitor();
-    [[nodiscard]] bool isMonitorOnly() const { return m_isMonitorOnly; }
     /// A passcode is set, and `level` is higher than the present one.
     [[nodiscard]] bool needsPasscode(Level level) const;
     /// Going down is always possible and asks for nothing.
     Answer enter(Level level, const QString &passcode = {});
 
-    [[nodiscard]] const settings::AccessSettings &settings() const { return m_settings; }
-    /// Another passcode or idle time from now on; the owner keeps them.
-    void setSettings(const settings::AccessSettings &settings);
-
-    /// Somebody used key or mouse.
-    void noteActivity(Time now) { m_lastActivity = now; }
-    /// Looks at the clock. It calls itself every few seconds.
+    /// Falls back if nobody has used key or mouse for the idle time. It calls itself every few seconds.
     void tick(Time now);
 
 Q_SIGNALS:
     void levelChanged();
-    void settingsChanged();
 
 private:
     void setLevel(Level level);
 
-    settings::AccessSettings m_settings;
+    AccessRules &m_rules;
     Level m_level = Level::Monitor;
-    bool m_isMonitorOnly = false;
-    Time m_lastActivity;
     QTimer m_clock;
 };
 

@@ -30,7 +30,6 @@ bool Arming::arm(const QObject &robot, const Situation &situation, Time now)
     m_robot = &robot;
     m_mode = modeOf(*situation.status);
     m_lastActivity = now;
-    m_lastDrop.reset();
     m_clock.start(1s);
     Q_EMIT changed();
     return true;
@@ -38,12 +37,11 @@ bool Arming::arm(const QObject &robot, const Situation &situation, Time now)
 
 void Arming::drop(Drop reason)
 {
-    if (!m_robot)
+    const QObject *robot = std::exchange(m_robot, nullptr);
+    if (!robot)
         return;
-    m_robot = nullptr;
-    m_lastDrop = reason;
-    m_lastDropAt = QDateTime::currentDateTime();
     m_clock.stop();
+    Q_EMIT dropped(robot, reason);
     Q_EMIT changed();
 }
 

@@ -26,7 +26,8 @@ public:
         ModeChanged, ///< TEACH, PLAY or REMOTE.
         Alarm,
         AccessDropped,
-        ProfileChanged,
+        Disconnected, ///< The connection was closed, or opened anew with other settings.
+        LanguageChanged, ///< The window was made anew.
         SecondWindow,
         OtherController, ///< Another one was armed.
     };
@@ -42,11 +43,6 @@ public:
 
     [[nodiscard]] bool isArmed() const { return m_robot; }
     [[nodiscard]] bool isArmed(const QObject &robot) const { return m_robot == &robot; }
-    /// Why it was dropped the last time, and when by this computer's clock; nullopt while armed and before the first
-    /// time.
-    [[nodiscard]] const std::optional<Drop> &lastDrop() const { return m_lastDrop; }
-    [[nodiscard]] QDateTime lastDropAt() const { return m_lastDropAt; }
-
     /// What is known of `robot` now; drops if that does not allow staying armed.
     void follow(const QObject &robot, const Situation &situation);
     /// Somebody used key or mouse.
@@ -68,13 +64,13 @@ public:
 
 Q_SIGNALS:
     void changed();
+    /// `robot` is armed no longer. Comes before changed().
+    void dropped(const QObject *robot, robot::Arming::Drop reason);
 
 private:
     const QObject *m_robot = nullptr; ///< Compared, never looked into.
     values::Status::Data1 m_mode; ///< TEACH, PLAY and REMOTE when it was armed.
     Time m_lastActivity {};
-    std::optional<Drop> m_lastDrop;
-    QDateTime m_lastDropAt;
     QTimer m_clock;
 };
 

@@ -90,6 +90,7 @@ Orders::Orders(Controller &controller, Access &access, Arming &arming, QObject *
     connect(&controller, &Controller::holdProgressChanged, this, &Orders::onHoldProgressChanged);
     connect(&controller.state(), &RobotState::changed, this, &Orders::update);
     connect(&access, &Access::levelChanged, this, &Orders::update);
+    connect(&arming, &Arming::dropped, this, &Orders::onDropped);
     connect(&arming, &Arming::changed, this, &Orders::update);
     update();
 }
@@ -99,7 +100,7 @@ Orders::~Orders()
     for (Attempt *attempt : findChildren<Attempt *>())
         attempt->end(values::failure(ErrorKind::UnknownOutcome));
     if (isArmed())
-        m_arming.drop(Arming::Drop::ProfileChanged);
+        m_arming.drop(Arming::Drop::Disconnected);
 }
 
 session::Session *Orders::session() const { return m_controller.session(); }
@@ -194,10 +195,24 @@ void Orders::onHoldProgressChanged()
     m_hold.clear();
 }
 
-bool Orders::arm() { return m_arming.arm(*this, look(), now()); }
+bool Orders::arm()
+{
+    if (!m_arming.arm(*this, look(), now()))
+        return false;
+    m_lastDrop.reset();
+    return true;
+}
+
+void Orders::onDropped(const QObject *robot, Arming::Drop reason)
+{
+    if (robot == this)
+        m_lastDrop = {reason, QDateTime::currentDateTime()};
+}
 
 void Orders::onLinkStateChanged()
 {
+    if (isArmed() && m_controller.linkState() == LinkState::Disconnected)
+        m_arming.drop(Arming::Drop::Disconnected); // somebody's wish, and no loss
     update();
     if (!m_situation.isLinkUp)
         Q_EMIT linkDropped();

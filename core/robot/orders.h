@@ -67,6 +67,12 @@ private:
     bool m_isSettled = false;
 };
 
+/// When a controller ceased to be armed, by this computer's clock, and why.
+struct Disarmed {
+    Arming::Drop reason;
+    QDateTime at;
+};
+
 /// The one door through which everything goes that changes something at a controller. Each order is checked against
 /// its conditions, sent once, and ends in a record, whether it was done, refused, withheld or never answered.
 ///
@@ -148,6 +154,8 @@ public:
     /// Arms this controller; returns false if a condition is not met.
     bool arm();
     [[nodiscard]] bool isArmed() const { return m_arming.isArmed(*this); }
+    /// The last time; nullopt while it is armed and before the first time.
+    [[nodiscard]] const std::optional<Disarmed> &lastDrop() const { return m_lastDrop; }
     /// HLOCK was switched on from here and not off again; the controller does not tell.
     [[nodiscard]] bool isPendantLocked() const { return m_isPendantLocked; }
 
@@ -166,6 +174,7 @@ private:
     [[nodiscard]] Situation look() const;
     Attempt *attempt(const Order &order, QObject *context, OrderHandler handler);
     void onLinkStateChanged();
+    void onDropped(const QObject *robot, Arming::Drop reason);
     void update();
     void onHoldProgressChanged();
     void noteLock(const journal::OrderRecord &record);
@@ -175,6 +184,7 @@ private:
     Arming &m_arming;
     bool m_isNumberingVerified;
     Situation m_situation;
+    std::optional<Disarmed> m_lastDrop;
     bool m_isPendantLocked = false;
     QPointer<Attempt> m_hold;
 };

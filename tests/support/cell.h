@@ -46,7 +46,8 @@ struct Cell {
     [[nodiscard]] bool armed() { return live() && orders->arm(); }
 
     QList<journal::OrderRecord> records; ///< Outlives the orders, which record to the last.
-    robot::Access access;
+    robot::AccessRules rules;
+    robot::Access access {rules};
     robot::Arming arming;
     std::unique_ptr<virtualcontroller::Server> server;
     std::unique_ptr<robot::Controller> controller;

@@ -65,11 +65,11 @@ robot::Orders &orders(Harness &harness) { return harness.window.view().orders();
 const DialogRow rows[] {
     {"passcode",
         [](Harness &harness) -> QDialog * {
-            return new dialogs::PasscodeDialog(harness.access, robot::Level::Engineer, &harness.window);
+            return new dialogs::PasscodeDialog(harness.access(), robot::Level::Engineer, &harness.window);
         }},
     {"access settings",
         [](Harness &harness) -> QDialog * {
-            return new dialogs::AccessSettingsDialog(harness.access, &harness.window);
+            return new dialogs::AccessSettingsDialog(harness.rules, &harness.window);
         }},
     {"apply", applyDialog},
     {"compare",

@@ -20,7 +20,7 @@ public:
     Harness()
         : file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat},
           store {file},
-          window {store, {access, arming, journal}, [this] { return startController(); }}
+          window {{store, rules, arming, journal}, [this] { return startController(); }}
     {
         window.resize(1440, 900); // the screen that is not there is smaller
     }
@@ -88,11 +88,14 @@ public:
     }
     [[nodiscard]] QString barText() const { return bar()->isVisible() ? bar()->message().text : QString(); }
 
+    /// The level at the controller that the window shows.
+    [[nodiscard]] robot::Access &access() const { return window.view().station()->access; }
+
     QTemporaryDir folder;
     bool isDataHere = qputenv("XDG_DATA_HOME", folder.path().toLocal8Bit()); ///< Before anything is kept.
     QSettings file;
     settings::ProfileStore store;
-    robot::Access access;
+    robot::AccessRules rules;
     robot::Arming arming;
     std::chrono::milliseconds readTimeout {500}; ///< Of the profile; patient with a busy computer.
     std::chrono::milliseconds servoTimeout {8000};

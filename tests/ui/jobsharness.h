@@ -22,15 +22,15 @@ public:
     /// Why "Start" is not possible, and why arming dropped.
     [[nodiscard]] QString armingText() const
     {
-        const auto &drop = arming.lastDrop();
-        return text("reason-start") + u' ' + (drop ? ui::reason(*drop) : QString());
+        const auto &drop = orders().lastDrop();
+        return text("reason-start") + u' ' + (drop ? ui::reason(drop->reason) : QString());
     }
     [[nodiscard]] bool openJobs(robot::Level level = robot::Level::Engineer)
     {
         if (!connectLive())
             return false;
         rest();
-        access.enter(level);
+        access().enter(level);
         click("jobsEntry");
         const auto isListed = [this] { return list()->model()->rowCount() > 0; };
         return QTest::qWaitFor(isListed)

@@ -31,7 +31,7 @@ struct Room {
         profile.readTimeout = std::chrono::milliseconds {1000}; // the computer may be busy
         harness.window.show();
         harness.window.connectTo(profile);
-        harness.access.enter(robot::Level::Engineer);
+        harness.access().enter(robot::Level::Engineer);
         auto *entry = harness.window.findChild<QPushButton *>(QLatin1String(id) + QStringLiteral("Entry"));
         if (!entry || !QTest::qWaitForWindowExposed(&harness.window))
             return false;

@@ -107,7 +107,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         QVERIFY(m_harness.connectLive());
-        m_harness.access.enter(robot::Level::Engineer);
+        m_harness.access().enter(robot::Level::Engineer);
         QVERIFY(QDir().mkpath(QStringLiteral(PENDESK_PICTURES)));
     }
 

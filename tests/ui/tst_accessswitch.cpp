@@ -27,10 +27,10 @@ private Q_SLOTS:
         QCOMPARE(badge(harness)->text(), QStringLiteral("MONITOR"));
         choose(harness, "levelOperate");
         QCOMPARE(badge(harness)->text(), QStringLiteral("OPERATE"));
-        QVERIFY(harness.access.level() == Level::Operate);
+        QVERIFY(harness.access().level() == Level::Operate);
         QCOMPARE(harness.window.findChild<QLabel *>(QStringLiteral("levelInStatusBar"))->text(),
             QStringLiteral("Level: Operate"));
-        harness.access.enter(Level::Monitor);
+        harness.access().enter(Level::Monitor);
         QCOMPARE(badge(harness)->text(), QStringLiteral("MONITOR"));
     }
 
@@ -46,7 +46,7 @@ private Q_SLOTS:
             QTest::keyClick(menu, Qt::Key_Return);
         });
         QTest::keyClick(&harness.window, Qt::Key_L, Qt::ControlModifier);
-        QTRY_VERIFY(harness.access.level() == Level::Operate);
+        QTRY_VERIFY(harness.access().level() == Level::Operate);
     }
 
     void asksForThePasscode()
@@ -54,20 +54,20 @@ private Q_SLOTS:
         Harness harness;
         settings::AccessSettings settings;
         settings.passcode = settings::Passcode::of(QStringLiteral("0815"));
-        harness.access.setSettings(settings);
+        harness.rules.setSettings(settings);
         harness.window.show();
         choose(harness, "levelEngineer");
         auto *dialog = harness.window.findChild<QDialog *>(QStringLiteral("passcodeDialog"));
         QVERIFY(dialog);
-        QVERIFY(harness.access.level() == Level::Monitor);
+        QVERIFY(harness.access().level() == Level::Monitor);
         auto *edit = dialog->findChild<QLineEdit *>(QStringLiteral("passcode"));
         QTest::keyClicks(edit, QStringLiteral("4711"));
         QTest::keyClick(edit, Qt::Key_Return);
-        QVERIFY(harness.access.level() == Level::Monitor);
+        QVERIFY(harness.access().level() == Level::Monitor);
         QVERIFY(!dialog->findChild<QLabel *>(QStringLiteral("passcodeComplaint"))->text().isEmpty());
         QTest::keyClicks(edit, QStringLiteral("0815")); // what was wrong is selected
         QTest::keyClick(edit, Qt::Key_Return);
-        QVERIFY(harness.access.level() == Level::Engineer);
+        QVERIFY(harness.access().level() == Level::Engineer);
     }
 
     void setsThePasscode()
@@ -75,25 +75,25 @@ private Q_SLOTS:
         Harness harness;
         harness.window.show();
         QVERIFY(!action(harness, "accessSettings")->isEnabled()); // Engineers only
-        harness.access.enter(Level::Engineer);
+        harness.access().enter(Level::Engineer);
         choose(harness, "accessSettings");
         auto *dialog = harness.window.findChild<QDialog *>(QStringLiteral("accessSettingsDialog"));
         QVERIFY(dialog);
         const auto edit = [&](const char *name) { return dialog->findChild<QLineEdit *>(QLatin1String(name)); };
         QTest::keyClicks(edit("newPasscode"), QStringLiteral("abc"));
         QTest::keyClick(edit("newPasscode"), Qt::Key_Return);
-        QVERIFY(!harness.access.settings().passcode); // not the same twice
+        QVERIFY(!harness.rules.settings().passcode); // not the same twice
         QTest::keyClicks(edit("newPasscodeAgain"), QStringLiteral("abc"));
         dialog->findChild<QSpinBox *>(QStringLiteral("idleMinutes"))->setValue(3);
         QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("okButton")), Qt::LeftButton);
-        QVERIFY(harness.access.settings().passcode->matches(QStringLiteral("abc")));
-        QVERIFY(harness.access.settings().idleTime == std::chrono::minutes {3});
+        QVERIFY(harness.rules.settings().passcode->matches(QStringLiteral("abc")));
+        QVERIFY(harness.rules.settings().idleTime == std::chrono::minutes {3});
     }
 
     void monitorOnlyOffersNothingElse()
     {
         Harness harness;
-        harness.access.restrictToMonitor();
+        harness.rules.restrictToMonitor();
         harness.window.offer({});
         harness.window.show();
         QVERIFY(!action(harness, "levelOperate")->isEnabled());
@@ -104,32 +104,92 @@ private Q_SLOTS:
     void armingShowsInTheStripAndDrops()
     {
         Harness harness;
-        const ui::Presence presence {harness.access, harness.arming};
+        const ui::Presence presence {harness.rules, harness.arming};
         QVERIFY(harness.connectLive());
         harness.server->memory().alarms.clear();
         auto *armed = harness.window.findChild<QPushButton *>(QStringLiteral("armBadge"));
         QVERIFY(!armed->isVisible());
         QVERIFY(!harness.window.view().orders().arm()); // Monitor
-        harness.access.enter(Level::Operate);
+        harness.access().enter(Level::Operate);
         QVERIFY(harness.window.view().orders().arm());
         QVERIFY(armed->isVisible());
         QVERIFY(armed->text().startsWith(QStringLiteral("ARMED")));
         QTest::mouseClick(armed, Qt::LeftButton);
         QVERIFY(!armed->isVisible());
-        QVERIFY(harness.arming.lastDrop() == Arming::Drop::ByHand);
+        QVERIFY(harness.window.view().orders().lastDrop()->reason == Arming::Drop::ByHand);
         QVERIFY(harness.window.view().orders().arm());
+        QSignalSpy dropped {&harness.arming, &Arming::dropped};
         harness.window.connectTo(harness.profile());
-        QVERIFY(harness.arming.lastDrop() == Arming::Drop::ProfileChanged);
+        QCOMPARE(dropped.count(), 1);
+        QVERIFY(dropped.constFirst().at(1).value<Arming::Drop>() == Arming::Drop::Disconnected);
+    }
+
+    void anotherControllerBeginsInMonitor()
+    {
+        Harness harness;
+        QVERIFY(harness.connectLive());
+        harness.server->memory().alarms.clear();
+        harness.access().enter(Level::Engineer);
+        QVERIFY(harness.window.view().orders().arm());
+        settings::Profile other = harness.profile();
+        other.name = QStringLiteral("CELL 5");
+        harness.window.connectTo(other);
+        QVERIFY(harness.access().level() == Level::Monitor);
+        QCOMPARE(badge(harness)->text(), QStringLiteral("MONITOR"));
+        QCOMPARE(harness.window.findChild<QLabel *>(QStringLiteral("levelInStatusBar"))->text(),
+            QStringLiteral("Level: Monitor"));
+        QVERIFY(!harness.arming.isArmed());
+        QVERIFY(!harness.window.view().orders().lastDrop()); // this one never was armed
+    }
+
+    void theReasonOfDisarmingIsTheTrueOne_data()
+    {
+        QTest::addColumn<void (*)(Harness &)>("happening");
+        QTest::addColumn<int>("reason");
+        using Happening = void (*)(Harness &);
+        using Drop = Arming::Drop;
+        const auto row = [](const char *name, Happening happening, Drop reason) {
+            QTest::newRow(name) << happening << int(reason);
+        };
+        row(
+            "disconnected", [](Harness &harness) { harness.window.controller().close(); }, Drop::Disconnected);
+        row(
+            "link lost", [](Harness &harness) { harness.stopController(); }, Drop::CommunicationLost);
+        row(
+            "level given up", [](Harness &harness) { harness.access().enter(Level::Monitor); }, Drop::AccessDropped);
+        row(
+            "monitor only", [](Harness &harness) { harness.rules.restrictToMonitor(); }, Drop::AccessDropped);
+        row(
+            "another language",
+            [](Harness &harness) {
+                QEvent change {QEvent::LanguageChange};
+                QCoreApplication::sendEvent(&harness.window, &change);
+            },
+            Drop::LanguageChanged);
+    }
+
+    void theReasonOfDisarmingIsTheTrueOne()
+    {
+        QFETCH(void (*)(Harness &), happening);
+        QFETCH(int, reason);
+        Harness harness;
+        QVERIFY(harness.connectLive());
+        harness.server->memory().alarms.clear();
+        harness.access().enter(Level::Operate);
+        QVERIFY(harness.window.view().orders().arm());
+        happening(harness);
+        QTRY_VERIFY(!harness.arming.isArmed());
+        QCOMPARE(int(harness.window.view().orders().lastDrop()->reason), reason);
     }
 
     void anotherWindowDisarmsAndADialogDoesNot()
     {
         Harness harness;
-        const ui::Presence presence {harness.access, harness.arming};
+        const ui::Presence presence {harness.rules, harness.arming};
         QVERIFY(harness.connectLive());
         harness.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&harness.window));
-        harness.access.enter(Level::Operate);
+        harness.access().enter(Level::Operate);
         QVERIFY(harness.window.view().orders().arm());
         QDialog dialog(&harness.window);
         dialog.show();
@@ -141,15 +201,15 @@ private Q_SLOTS:
         second.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&second));
         QTRY_VERIFY(!harness.arming.isArmed());
-        QVERIFY(harness.arming.lastDrop() == Arming::Drop::SecondWindow);
+        QVERIFY(harness.window.view().orders().lastDrop()->reason == Arming::Drop::SecondWindow);
     }
 
     void keysAreActivity()
     {
         Harness harness;
-        const ui::Presence presence {harness.access, harness.arming};
+        const ui::Presence presence {harness.rules, harness.arming};
         QVERIFY(harness.connectLive());
-        harness.access.enter(Level::Operate);
+        harness.access().enter(Level::Operate);
         QVERIFY(harness.window.view().orders().arm());
         using namespace std::chrono_literals;
         harness.arming.noteActivity(std::chrono::steady_clock::now() - 50s);

@@ -134,7 +134,7 @@ private:
 void TestKeyboard::initTestCase()
 {
     QVERIFY(m_harness.connectLive());
-    m_harness.access.enter(robot::Level::Engineer);
+    m_harness.access().enter(robot::Level::Engineer);
     QVERIFY(activate(m_harness.window));
 }
 

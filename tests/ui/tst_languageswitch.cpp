@@ -63,7 +63,7 @@ private Q_SLOTS:
         choose(harness.window, QStringLiteral("de"));
         QTRY_COMPARE(entryText(harness.window), u"Variablen");
         QSignalSpy recorded {&harness.window.view().orders(), &robot::Orders::recorded};
-        harness.access.enter(robot::Level::Operate);
+        harness.access().enter(robot::Level::Operate);
         harness.window.view().releaseLock();
         QTRY_COMPARE(recorded.size(), 1);
         qsizetype rows = -1;
@@ -108,7 +108,7 @@ private Q_SLOTS:
     {
         Harness harness;
         QVERIFY(harness.connectLive());
-        harness.access.enter(robot::Level::Operate);
+        harness.access().enter(robot::Level::Operate);
         QVERIFY(harness.window.view().orders().arm());
         choose(harness.window, QStringLiteral("de"));
         QTRY_COMPARE(entryText(harness.window), u"Variablen");

@@ -290,8 +290,8 @@ void TestStartStory::holdFromEveryDialog_data()
     row("passcodeDialog", [](JobsHarness &harness) {
         settings::AccessSettings settings;
         settings.passcode = settings::Passcode::of(QStringLiteral("1"));
-        harness.access.enter(Level::Monitor);
-        harness.access.setSettings(settings);
+        harness.access().enter(Level::Monitor);
+        harness.rules.setSettings(settings);
         harness.window.findChild<QAction *>(QStringLiteral("levelOperate"))->trigger();
     });
     row("connectionDialog",
@@ -343,7 +343,7 @@ void TestStartStory::tenThousandKeysStartNothing()
     int sent = 0;
     while (sent < events) {
         harness.rest();
-        harness.access.enter(Level::Engineer);
+        harness.access().enter(Level::Engineer);
         QTRY_VERIFY(harness.orders().situation().status && !harness.orders().obstacle(robot::Act::Arm));
         QVERIFY(harness.orders().arm());
         if (!harness.sheet())
@@ -364,7 +364,7 @@ void TestStartStory::tenThousandKeysStartNothing()
     }
     QCOMPARE(harness.server->arrived(startCommand), 0);
     harness.rest(); // and with the pointer it would have started all along
-    harness.access.enter(Level::Engineer);
+    harness.access().enter(Level::Engineer);
     delete harness.sheet();
     QTRY_VERIFY(!harness.orders().obstacle(robot::Act::Arm));
     QVERIFY(harness.orders().arm());

@@ -76,9 +76,9 @@ void PasscodeDialog::tryEnter()
     m_passcode->setFocus();
 }
 
-AccessSettingsDialog::AccessSettingsDialog(Access &access, QWidget *parent)
+AccessSettingsDialog::AccessSettingsDialog(robot::AccessRules &rules, QWidget *parent)
     : QDialog(parent),
-      m_access {access},
+      m_rules {rules},
       m_minutes {new QSpinBox},
       m_passcode {passcodeEdit("newPasscode")},
       m_again {passcodeEdit("newPasscodeAgain")},
@@ -90,7 +90,7 @@ AccessSettingsDialog::AccessSettingsDialog(Access &access, QWidget *parent)
     setWindowTitle(tr("Passcode and idle time"));
     m_minutes->setObjectName(QStringLiteral("idleMinutes"));
     m_minutes->setRange(1, 480);
-    m_minutes->setValue(int(access.settings().idleTime.count()));
+    m_minutes->setValue(int(rules.settings().idleTime.count()));
     m_minutes->setSuffix(tr(" min"));
     m_complaint->setObjectName(QStringLiteral("passcodeComplaint"));
     auto *form = new QFormLayout(this);
@@ -115,7 +115,7 @@ void AccessSettingsDialog::save()
     changed.idleTime = std::chrono::minutes {m_minutes->value()};
     if (!m_passcode->text().isEmpty())
         changed.passcode = Passcode::of(m_passcode->text());
-    m_access.setSettings(changed);
+    m_rules.setSettings(changed);
     close();
 }
 

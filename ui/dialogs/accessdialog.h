@@ -35,12 +35,13 @@ class AccessSettingsDialog : public QDialog
     Q_OBJECT
 
 public:
-    AccessSettingsDialog(robot::Access &access, QWidget *parent);
+    /// `rules` must outlive the dialog.
+    AccessSettingsDialog(robot::AccessRules &rules, QWidget *parent);
 
 private:
     void save();
 
-    robot::Access &m_access;
+    robot::AccessRules &m_rules;
     QSpinBox *m_minutes;
     QLineEdit *m_passcode;
     QLineEdit *m_again;

@@ -8,10 +8,11 @@
 
 namespace pages {
 
-AlarmsPage::AlarmsPage(const Context &context, QWidget *parent) : Page(context, parent), m_log {context.alarms}
+AlarmsPage::AlarmsPage(const Context &context, QWidget *parent) : Page(context, parent), m_log {context.station.alarms}
 {
-    auto *active = new ActiveAlarmsCard(context.alarms, context.orders);
-    auto *history = new AlarmHistoryCard(context.alarms, context.journal, context.profile);
+    auto *active = new ActiveAlarmsCard(context.station.alarms, context.station.orders);
+    auto *history =
+        new AlarmHistoryCard(context.station.alarms, context.station.shared.journal, context.station.profile());
     connect(active, &ActiveAlarmsCard::codeChosen, history, &AlarmHistoryCard::chooseCode);
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);

@@ -46,7 +46,7 @@ values::Result<files::Bag> noBag() { return values::failure(values::ErrorKind::L
 BackupPage::BackupPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_context {context},
-      m_orders {context.orders},
+      m_orders {context.station.orders},
       m_timeline {new Timeline},
       m_state {widgets::sentence({}, ui::Role::Text2)},
       m_keep {spin(tr(" newest"), "keepCount", tr("Keep any number"))},
@@ -57,8 +57,8 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
       m_export {button(tr("Export…"), "exportBackup")},
       m_with {new QComboBox},
       m_compare {button(tr("Compare"), "compareBackups")},
-      m_restore {new widgets::OrderButton(context.orders, Act::Restore)},
-      m_comparison {new ComparisonCard(protocol::TextCodec {context.profile.encoding})}
+      m_restore {new widgets::OrderButton(context.station.orders, Act::Restore)},
+      m_comparison {new ComparisonCard(protocol::TextCodec {context.station.profile().encoding})}
 {
     auto *content = new QWidget;
     auto *row = new QHBoxLayout(content);
@@ -90,7 +90,7 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
         if (isVisible())
             reload(); // others write backups too
     });
-    const BackupChoices choices = readBackupChoices(context.store.notes(context.profile.name));
+    const BackupChoices choices = readBackupChoices(context.station.notes());
     m_keep->setValue(choices.retention.count);
     m_keepDays->setValue(choices.retention.days);
     m_root = choices.folder;
@@ -149,7 +149,7 @@ void BackupPage::showLink(const ui::LinkView &link)
     updateButtons();
 }
 
-files::Archive BackupPage::archive() const { return {m_root, m_context.profile.name}; }
+files::Archive BackupPage::archive() const { return {m_root, m_context.station.profile().name}; }
 
 void BackupPage::say(const QString &sentence) { m_state->setText(sentence); }
 
@@ -170,10 +170,7 @@ void BackupPage::chooseFolder()
 
 files::Retention BackupPage::retention() const { return {m_keep->value(), m_keepDays->value()}; }
 
-void BackupPage::keepChoices()
-{
-    writeBackupChoices(m_context.store.notes(m_context.profile.name), {m_root, retention()});
-}
+void BackupPage::keepChoices() { writeBackupChoices(m_context.station.notes(), {m_root, retention()}); }
 
 void BackupPage::reload()
 {
@@ -204,9 +201,9 @@ files::BackupOrder BackupPage::order() const
 {
     files::BackupOrder order;
     order.root = m_root;
-    order.info.controller = m_context.profile.name;
-    order.info.host = m_context.profile.host;
-    if (const auto &system = m_context.state.systemInformation().value) {
+    order.info.controller = m_context.station.profile().name;
+    order.info.host = m_context.station.profile().host;
+    if (const auto &system = m_context.station.state().systemInformation().value) {
         order.info.model = QString::fromLatin1(system->model.bytes());
         order.info.software = QString::fromLatin1(system->software.bytes());
         order.info.parameterVersion = QString::fromLatin1(system->parameters.bytes());
@@ -216,7 +213,7 @@ files::BackupOrder BackupPage::order() const
 
 void BackupPage::backUp()
 {
-    session::FileSession *session = m_context.controller.files();
+    session::FileSession *session = m_context.station.controller.files();
     if (!session)
         return;
     files::BackupOrder order = this->order();
@@ -310,7 +307,7 @@ void BackupPage::compareChosen()
 
 void BackupPage::readController(const std::function<void(const files::FileSet &)> &handler)
 {
-    session::FileSession *session = m_context.controller.files();
+    session::FileSession *session = m_context.station.controller.files();
     if (!session)
         return;
     m_snapshot = std::make_unique<files::Snapshot>(*session);
@@ -334,14 +331,14 @@ void BackupPage::planRestore()
     if (!bag)
         return;
     readController([this, bag = *bag](const files::FileSet &now) {
-        session::FileSession *session = m_context.controller.files();
+        session::FileSession *session = m_context.station.controller.files();
         if (!session)
             return;
         const auto plan = files::planRestore(bag.files(), now, {}, m_orders.jobsInUse());
-        auto *dialog = new dialogs::RestoreDialog(m_context.profile, bag.info().taken, plan, this);
+        auto *dialog = new dialogs::RestoreDialog(m_context.station.profile(), bag.info().taken, plan, this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &dialogs::RestoreDialog::confirmed, this, [this, bag, dialog](const auto &chosenPlan) {
-            if (session::FileSession *files = m_context.controller.files())
+            if (session::FileSession *files = m_context.station.controller.files())
                 dialog->follow(std::make_unique<files::Restore>(
                     *files, bag.files(), chosenPlan, order(), m_orders.guard(Act::Restore)));
         });

@@ -43,7 +43,7 @@ public:
 
 protected:
     /// The backups of a known controller can be looked at without it.
-    [[nodiscard]] bool needsLink() const override { return m_context.profile.name.isEmpty(); }
+    [[nodiscard]] bool needsLink() const override { return m_context.station.profile().name.isEmpty(); }
 
 private:
     [[nodiscard]] bool isBusy() const;

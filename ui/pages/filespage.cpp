@@ -30,7 +30,7 @@ QString documents() { return QStandardPaths::writableLocation(QStandardPaths::Do
 FilesPage::FilesPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_context {context},
-      m_orders {context.orders},
+      m_orders {context.station.orders},
       m_offers {context, m_orders, m_queue, this},
       m_changes {context, m_orders, m_queue, this},
       m_local {new FilePane(tr("This computer"), QStringLiteral("localFiles"))},
@@ -40,15 +40,15 @@ FilesPage::FilesPage(const Context &context, QWidget *parent)
       m_refresh {button(tr("Read again"), "refreshFiles")},
       m_fetch {button(tr("← Fetch"), "fetchFiles")},
       m_editButton {button(tr("Edit…"), "editFile")},
-      m_send {new widgets::OrderButton(context.orders, Act::Upload)},
-      m_remove {new widgets::OrderButton(context.orders, Act::DeleteFile)}
+      m_send {new widgets::OrderButton(context.station.orders, Act::Upload)},
+      m_remove {new widgets::OrderButton(context.station.orders, Act::DeleteFile)}
 {
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
     column->setSpacing(ui::space::gap);
     column->addWidget(panes(), 3);
-    column->addWidget(new QueueCard(m_queue, protocol::TextCodec {context.profile.encoding}), 2);
+    column->addWidget(new QueueCard(m_queue, protocol::TextCodec {context.station.profile().encoding}), 2);
     setContent(content);
     connect(m_local, &FilePane::chosenChanged, this, &FilesPage::updateButtons);
     connect(m_remote, &FilePane::chosenChanged, this, &FilesPage::updateButtons);
@@ -160,7 +160,7 @@ void FilesPage::showFolder()
 
 void FilesPage::refresh()
 {
-    session::FileSession *session = m_context.controller.files();
+    session::FileSession *session = m_context.station.controller.files();
     if (!session)
         return;
     m_isListed = true;

@@ -58,8 +58,8 @@ QString title(IoArea area)
 IoPage::IoPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_context {context},
-      m_dialect {context.profile.dialect()},
-      m_watch {context.state, this},
+      m_dialect {context.station.profile().dialect()},
+      m_watch {context.station.state(), this},
       m_bar {new QTabBar},
       m_goTo {new widgets::GoToEdit(this)},
       m_sentence {widgets::sentence({}, ui::Role::Text2)},
@@ -95,7 +95,7 @@ IoPage::IoPage(const Context &context, QWidget *parent)
     connect(m_table, &QTableView::doubleClicked, this, &IoPage::act);
     connect(m_table, &QWidget::customContextMenuRequested, this, &IoPage::openMenu);
     connect(&m_watch, &robot::SignalWatch::listChanged, this, &IoPage::keepWatch);
-    connect(&context.names, &robot::NameBook::fetchChanged, this, &IoPage::showSentence);
+    connect(&context.station.names, &robot::NameBook::fetchChanged, this, &IoPage::showSentence);
     showTab(0);
 }
 
@@ -120,7 +120,8 @@ QWidget *IoPage::watchTab(const Context &context)
 {
     m_watchTable->setObjectName(QStringLiteral("watchTable"));
     m_watchTable->setAccessibleName(tr("Watched signals"));
-    m_watchTable->setModel(new models::WatchModel(context.state, m_watch, context.names, m_dialect, this));
+    m_watchTable->setModel(
+        new models::WatchModel(context.station.state(), m_watch, context.station.names, m_dialect, this));
     m_watchTable->verticalHeader()->hide();
     m_watchTable->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_watchTable->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -131,7 +132,7 @@ QWidget *IoPage::watchTab(const Context &context)
     reset->setObjectName(QStringLiteral("resetCounters"));
     connect(reset, &QPushButton::clicked, &m_watch, &robot::SignalWatch::reset);
     auto *scroll = new QScrollArea;
-    scroll->setWidget(new widgets::LogicStrip(m_watch, context.names));
+    scroll->setWidget(new widgets::LogicStrip(m_watch, context.station.names));
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->viewport()->setAutoFillBackground(false);
@@ -148,7 +149,7 @@ QWidget *IoPage::watchTab(const Context &context)
 void IoPage::addAreas(const Context &context)
 {
     for (const auto &[area, groups] : m_dialect.io) {
-        auto *model = new models::IoModel(context.state, context.names, m_dialect, groups, this);
+        auto *model = new models::IoModel(context.station.state(), context.station.names, m_dialect, groups, this);
         connect(model, &models::IoModel::refusedRowsChanged, this, &IoPage::showSentence);
         m_models << model;
         m_bar->addTab(title(area));
@@ -201,7 +202,7 @@ void IoPage::onGoTo()
 {
     auto signal = names::signalFromText(m_goTo->text(), m_dialect);
     if (!signal && !m_goTo->text().trimmed().isEmpty()) {
-        if (const auto found = m_context.names.names().findSignals(m_goTo->text(), 1); !found.isEmpty())
+        if (const auto found = m_context.station.names.names().findSignals(m_goTo->text(), 1); !found.isEmpty())
             signal = found.first();
     }
     m_complaint->setText(signal ? QString() : signal.error().detail);
@@ -218,8 +219,8 @@ void IoPage::act(const QModelIndex &index)
         return;
     }
     const Signal signal = model()->signalAt(index);
-    const QString name = m_context.names.names().of(signal).text;
-    (new dialogs::IoWriteDialog(m_context.orders, signal, name, this))->show();
+    const QString name = m_context.station.names.names().of(signal).text;
+    (new dialogs::IoWriteDialog(m_context.station.orders, signal, name, this))->show();
 }
 
 bool IoPage::eventFilter(QObject *watched, QEvent *event)
@@ -247,9 +248,9 @@ void IoPage::openMenu(const QPoint &at)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Write…"), this, [this, index] { act(index); });
     menu->addAction(tr("Name it here…"), this, [this, index] { m_table->edit(index); });
-    if (m_context.names.names().of(signal).isLocal)
+    if (m_context.station.names.names().of(signal).isLocal)
         menu->addAction(
-            tr("Take the local name away"), this, [this, signal] { m_context.names.setLocalName(signal, {}); });
+            tr("Take the local name away"), this, [this, signal] { m_context.station.names.setLocalName(signal, {}); });
     if (m_watch.isWatched(signal))
         menu->addAction(tr("Watch no longer"), this, [this, signal] { m_watch.remove(signal); });
     else
@@ -272,11 +273,11 @@ void IoPage::showSentence()
     const auto refused = model() ? model()->refusedRows() : QList<int> {};
     if (!refused.isEmpty()) {
         const Signal first = model()->signalAt(model()->index(refused.first(), 0));
-        const auto &reading = m_context.state.reading<robot::Kind::IoGroup>(first.group);
+        const auto &reading = m_context.station.state().reading<robot::Kind::IoGroup>(first.group);
         sentences << tr("%n group(s) from %1 on are refused: %2.", nullptr, int(refused.size()))
                          .arg(toString(first), reading.refusal ? protocol::explain(*reading.refusal) : QString());
     }
-    const auto &fetch = m_context.names.signalFetch();
+    const auto &fetch = m_context.station.names.signalFetch();
     if (fetch.error)
         sentences << tr("The controller's names are not known: %1.").arg(protocol::explain(*fetch.error));
     else if (fetch.remarks > 0)
@@ -287,7 +288,7 @@ void IoPage::showSentence()
 
 void IoPage::loadWatch()
 {
-    const QJsonObject json = m_context.store.notes(m_context.profile.name).read(watchSubject);
+    const QJsonObject json = m_context.station.notes().read(watchSubject);
     for (const QJsonValue text : json[signalsKey].toArray()) {
         if (const auto signal = names::signalFromText(text.toString(), m_dialect))
             m_watch.add(*signal);
@@ -300,7 +301,7 @@ void IoPage::keepWatch()
     for (const auto &trace : m_watch.traces())
         list << toString(trace.signal);
     const QJsonObject json = list.isEmpty() ? QJsonObject {} : QJsonObject {{signalsKey, list}};
-    m_context.store.notes(m_context.profile.name).write(watchSubject, json);
+    m_context.station.notes().write(watchSubject, json);
     Q_EMIT topicsChanged();
 }
 

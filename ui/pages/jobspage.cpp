@@ -19,8 +19,8 @@ namespace pages {
 
 JobsPage::JobsPage(const Context &context, QWidget *parent)
     : Page(context, parent),
-      m_orders {context.orders},
-      m_library {new robot::JobLibrary(context.orders, this)},
+      m_orders {context.station.orders},
+      m_library {new robot::JobLibrary(context.station.orders, this)},
       m_list {new JobListCard(context, *m_library)},
       m_text {new JobTextCard(context, *m_library)},
       m_select {new SelectCard(context)},

@@ -64,8 +64,8 @@ QString itself(const QString &name) { return name; }
 
 JournalPage::JournalPage(const Context &context, QWidget *parent)
     : Page(context, parent),
-      m_store {context.journal},
-      m_model {new OrderModel(context.journal, this)},
+      m_store {context.station.shared.journal},
+      m_model {new OrderModel(context.station.shared.journal, this)},
       m_card {new widgets::Card(tr("Journal"))},
       m_table {new widgets::Table},
       m_period {new QComboBox},

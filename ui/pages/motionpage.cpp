@@ -35,11 +35,11 @@ constexpr widgets::Arrangement motionBoards[] {{3, motionWide}, {2, motionMiddle
 
 MotionPage::MotionPage(const Context &context, QWidget *parent)
     : Page(context, parent),
-      m_state {context.state},
-      m_profile {context.profile},
-      m_jog {new robot::Jog(context.orders, motion::limits(context.profile.motion), this)},
+      m_state {context.station.state()},
+      m_profile {context.station.profile()},
+      m_jog {new robot::Jog(context.station.orders, motion::limits(context.station.profile().motion), this)},
       m_group {new QComboBox},
-      m_cartesian {new CartesianCard(context.state)},
+      m_cartesian {new CartesianCard(context.station.state())},
       m_jogCard {new JogCard(context, *m_jog)},
       m_move {new MoveCard(context, m_jog->limits())}
 {
@@ -84,8 +84,8 @@ QWidget *MotionPage::readiness(const Context &context)
     row->addWidget(widgets::text(tr("Control group"), ui::Type::Label, ui::Role::Text2));
     row->addWidget(m_group, 1);
     card->body()->addLayout(row);
-    card->body()->addWidget(new widgets::ArmControl(context.orders));
-    card->body()->addWidget(new widgets::ConditionList(context.orders, robot::Act::Jog));
+    card->body()->addWidget(new widgets::ArmControl(context.station.orders));
+    card->body()->addWidget(new widgets::ConditionList(context.station.orders, robot::Act::Jog));
     card->body()->addStretch();
     return card;
 }

@@ -25,15 +25,17 @@ constexpr widgets::Arrangement overviewBoards[] {{3, overviewWide}, {2, overview
 } // namespace
 
 OverviewPage::OverviewPage(const Context &context, QWidget *parent)
-    : Page(context, parent), m_linkCard {new LinkCard(context.profile)}, m_optionsCard {new OptionsCard(context.orders)}
+    : Page(context, parent),
+      m_linkCard {new LinkCard(context.station.profile())},
+      m_optionsCard {new OptionsCard(context.station.orders)}
 {
     auto *board = new widgets::Board(overviewBoards);
-    board->add(new StateCard(context.state));
-    board->add(new PositionCard(context.state));
+    board->add(new StateCard(context.station.state()));
+    board->add(new PositionCard(context.station.state()));
     board->add(m_optionsCard);
-    board->add(new JobCard(context.state, context.profile.encoding));
+    board->add(new JobCard(context.station.state(), context.station.profile().encoding));
     board->add(m_linkCard);
-    board->add(new SystemCard(context.state, context.profile.model));
+    board->add(new SystemCard(context.station.state(), context.station.profile().model));
     board->setObjectName(QStringLiteral("overviewBoard"));
     setContent(board);
 }

@@ -13,7 +13,7 @@ Page::Page(const Context &context, QWidget *parent) : QWidget(parent), m_layers 
     auto *panel = new StartPanel(context);
     panel->setObjectName(QStringLiteral("notConnected"));
     m_layers->addWidget(panel);
-    new widgets::Plottables(context.recorder, this);
+    new widgets::Plottables(context.station.recorder, this);
 }
 
 void Page::setContent(QWidget *content) { m_layers->addWidget(content); }

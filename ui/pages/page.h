@@ -2,45 +2,23 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "robot/alarmlog.h"
-#include "robot/orders.h"
+#include "station/station.h"
 #include "ui/linkview.h"
 #include <QWidget>
 
 class QStackedLayout;
 
-namespace robot {
-class NameBook;
-class NumberingGuard;
-} // namespace robot
-
-namespace settings {
-class ProfileStore;
-}
-
 namespace ui {
 class Actions;
 }
 
-namespace trend {
-class Recorder;
-}
-
 namespace pages {
 
-/// What a page is made of. All of it outlives the page: a window makes new pages for another controller.
+/// What a page is made of. All of it outlives the page: a window makes new pages for another station or language.
 struct Context {
-    robot::Controller &controller; ///< For its life and its link; what is shown comes from `state`.
-    robot::Orders &orders; ///< For everything that changes something, and for reads that belong to a procedure.
-    robot::AlarmLog &alarms; ///< The alarms of this controller, as people and the journal know them.
-    journal::Store &journal;
-    const robot::RobotState &state;
-    const settings::Profile &profile;
-    settings::ProfileStore &store; ///< For what people keep about the controller.
-    robot::NameBook &names; ///< Of its signals and variables.
-    robot::NumberingGuard &numbering; ///< Lets variables be written once their numbering is known.
+    station::Station &station; ///< What is shown, and what is done to it.
+    settings::ProfileStore &store; ///< The controllers that this user knows.
     const ui::Actions &actions;
-    trend::Recorder &recorder; ///< What is plotted and kept of this controller.
 };
 
 /// One page of the window: what it shows when there is a link, and the way to a connection when there is none. What

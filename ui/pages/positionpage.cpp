@@ -40,13 +40,13 @@ QPushButton *positionButton(const QString &name, const QString &words)
 
 PositionPage::PositionPage(const Context &context, QWidget *parent)
     : Page(context, parent),
-      m_state {context.state},
-      m_profile {context.profile},
+      m_state {context.station.state()},
+      m_profile {context.station.profile()},
       m_tabs {new QTabBar},
       m_note {widgets::text({}, ui::Type::Label, ui::Role::Text2)},
-      m_cartesian {new CartesianCard(context.state)},
-      m_axes {new AxesCard(context.state, context.profile)},
-      m_path {new ToolPathCard(context.state)}
+      m_cartesian {new CartesianCard(context.station.state())},
+      m_axes {new AxesCard(context.station.state(), context.station.profile())},
+      m_path {new ToolPathCard(context.station.state())}
 {
     auto *board = new widgets::Board(positionBoards);
     board->setObjectName(QStringLiteral("positionBoard"));

@@ -33,10 +33,11 @@ QWidget *sheetCard(QWidget *content)
 
 RegistersPage::RegistersPage(const Context &context, QWidget *parent)
     : Page(context, parent),
-      m_format {formatOf(context.profile)},
-      m_history {context.state},
-      m_edits {context.orders, m_format},
-      m_desk {context.state, m_history, m_edits, context.names, m_format, context.profile.dialect()},
+      m_format {formatOf(context.station.profile())},
+      m_history {context.station.state()},
+      m_edits {context.station.orders, m_format},
+      m_desk {context.station.state(), m_history, m_edits, context.station.names, m_format,
+          context.station.profile().dialect()},
       m_model {new models::VariableModel(m_desk, allOf(variables::Kind::M, m_desk.dialect), this)},
       m_sheet {new VariableSheet(context, m_desk, robot::Act::WriteRegister)}
 {

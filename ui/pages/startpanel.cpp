@@ -26,9 +26,9 @@ constexpr int mostRecent = 5;
 QList<RecentProfile> controllers(const Context &context)
 {
     QList<RecentProfile> found = context.store.recent(mostRecent);
-    if (context.profile.host.isEmpty())
+    if (context.station.profile().host.isEmpty())
         return found;
-    RecentProfile offered {context.profile, {}};
+    RecentProfile offered {context.station.profile(), {}};
     found.removeIf([&offered](const RecentProfile &one) {
         if (one.profile.name != offered.profile.name)
             return false;
@@ -100,7 +100,7 @@ QWidget *StartPanel::makeContent()
         addOffers(column);
     else
         addRecent(column);
-    column->addWidget(new start::SetupCard(m_context.profile.model));
+    column->addWidget(new start::SetupCard(m_context.station.profile().model));
     auto *result = new QWidget;
     auto *centre = new QVBoxLayout(result);
     centre->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
@@ -155,7 +155,7 @@ void StartPanel::addRecent(QVBoxLayout *column)
     int index = 0;
     for (const RecentProfile &recent : controllers(m_context)) {
         auto *tile = new start::RecentTile(recent, now, index == 0);
-        const bool isOffered = recent.profile.name == m_context.profile.name;
+        const bool isOffered = recent.profile.name == m_context.station.profile().name;
         tile->setObjectName(
             isOffered ? QStringLiteral("reconnectButton") : QStringLiteral("recentButton%1").arg(index));
         const auto connectTo = [actions = &m_context.actions, name = recent.profile.name, isOffered] {
@@ -178,7 +178,7 @@ void StartPanel::addRecent(QVBoxLayout *column)
     row->setSpacing(10);
     row->addWidget(
         actionButton(QStringLiteral("connectButton"), tr("Another controller…"), int(ui::ActionId::Connect)));
-    if (!m_context.profile.isSimulation)
+    if (!m_context.station.profile().isSimulation)
         row->addWidget(actionButton(QStringLiteral("demoButton"), tr("Open the demo"), int(ui::ActionId::Demo)));
     row->addStretch();
     column->addLayout(row);

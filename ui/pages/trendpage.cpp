@@ -70,10 +70,10 @@ std::vector<const Track *> tracksOf(const trend::Recorder &recorder)
 
 TrendPage::TrendPage(const Context &context, QWidget *parent)
     : Page(context, parent),
-      m_recorder {context.recorder},
-      m_profile {context.profile},
+      m_recorder {context.station.recorder},
+      m_profile {context.station.profile()},
       m_model {new models::TrackModel(this)},
-      m_incidents {new models::IncidentModel(context.recorder.archive().incidents(), this)},
+      m_incidents {new models::IncidentModel(context.station.recorder.archive().incidents(), this)},
       m_plot {new widgets::Plot}
 {
     setAcceptDrops(true);

@@ -36,14 +36,14 @@ QPushButton *sheetButton(const char *name, const QString &words)
 VariableSheet::VariableSheet(const Context &context, const models::VariableDesk &desk, robot::Act act, QWidget *parent)
     : QWidget(parent),
       m_desk {desk},
-      m_orders {context.orders},
+      m_orders {context.station.orders},
       m_table {new widgets::Table},
       m_head {new widgets::Flow},
       m_foot {new widgets::Flow},
       m_goTo {new widgets::GoToEdit(this)},
       m_sentence {widgets::sentence({}, ui::Role::Amber)},
       m_note {widgets::sentence({}, ui::Role::Text2)},
-      m_apply {new widgets::OrderButton(context.orders, act, widgets::OrderButton::Reason::Below)},
+      m_apply {new widgets::OrderButton(context.station.orders, act, widgets::OrderButton::Reason::Below)},
       m_discard {sheetButton("discardButton", tr("Discard"))},
       m_undo {sheetButton("undoButton", tr("Undo last"))},
       m_transfer {new VariableTransfer(m_desk, m_orders, this)}

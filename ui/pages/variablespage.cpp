@@ -27,12 +27,14 @@ const QString variablesKey = QStringLiteral("variables");
 VariablesPage::VariablesPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_store {context.store},
-      m_orders {context.orders},
-      m_guard {context.numbering},
-      m_format {formatOf(context.profile)},
-      m_history {context.state},
-      m_edits {context.orders, m_format},
-      m_desk {context.state, m_history, m_edits, context.names, m_format, context.profile.dialect()},
+      m_notes {context.station.notes()},
+      m_orders {context.station.orders},
+      m_guard {context.station.numbering},
+      m_format {formatOf(context.station.profile())},
+      m_history {context.station.state()},
+      m_edits {context.station.orders, m_format},
+      m_desk {context.station.state(), m_history, m_edits, context.station.names, m_format,
+          context.station.profile().dialect()},
       m_sheet {new VariableSheet(context, m_desk, robot::Act::WriteVariable)},
       m_bar {new QTabBar},
       m_test {new QPushButton(tr("Verify…"))}
@@ -94,8 +96,7 @@ void VariablesPage::goTo(const Reference &variable)
 
 void VariablesPage::loadWatchPages()
 {
-    const QJsonArray pages =
-        m_store.notes(m_orders.controller().profile().name).read(watchPagesSubject)[pagesKey].toArray();
+    const QJsonArray pages = m_notes.read(watchPagesSubject)[pagesKey].toArray();
     for (const QJsonValue page : pages) {
         QList<Reference> variables;
         for (const QJsonValue text : page[variablesKey].toArray()) {
@@ -118,7 +119,7 @@ void VariablesPage::keepWatchPages()
         pages << QJsonObject {{nameKey, tab.name}, {variablesKey, list}};
     }
     const QJsonObject json = pages.isEmpty() ? QJsonObject {} : QJsonObject {{pagesKey, pages}};
-    m_store.notes(m_orders.controller().profile().name).write(watchPagesSubject, json);
+    m_notes.write(watchPagesSubject, json);
 }
 
 void VariablesPage::addWatchPage(const QString &name)

@@ -47,6 +47,7 @@ private:
     void unwatch();
 
     settings::ProfileStore &m_store;
+    settings::Notes m_notes;
     robot::Orders &m_orders;
     robot::NumberingGuard &m_guard;
     variables::Format m_format;

@@ -102,8 +102,8 @@ QString ArmControl::reason() const
         return tr("Armed: start, servo on and moves are possible. It drops after a minute without key or mouse.");
     if (const auto obstacle = m_orders.obstacle(Act::Arm))
         return ui::reason(*obstacle, m_orders.controller().profile().model);
-    if (const auto &drop = m_orders.arming().lastDrop(); drop && !isTicked())
-        return tr("Disarmed at %1: %2.").arg(m_orders.arming().lastDropAt().toString(u"HH:mm:ss"), ui::reason(*drop));
+    if (const auto &drop = m_orders.lastDrop(); drop && !isTicked())
+        return tr("Disarmed at %1: %2.").arg(drop->at.toString(u"HH:mm:ss"), ui::reason(drop->reason));
     return isTicked() ? QString() : tr("Tick all three first.");
 }
 

@@ -15,7 +15,7 @@ namespace widgets {
 /// A button for everything that changes something at a controller. It is enabled while the conditions of its act are
 /// met; else the first reason stands under it, and "Why not?" beside it opens all of them.
 ///
-///     auto *reset = new widgets::OrderButton(context.orders, robot::Act::ResetAlarm);
+///     auto *reset = new widgets::OrderButton(context.station.orders, robot::Act::ResetAlarm);
 ///     connect(reset, &OrderButton::clicked, this, [this, reset] {
 ///         m_orders.send(protocol::ResetAlarm {}, {Act::ResetAlarm}, this, [this](const auto &result) { … });
 ///         reset->expect([](const Situation &s) { return s.status && !s.status->hasAlarm(); }); // "pending…" until

@@ -91,7 +91,8 @@ struct Desk {
     }
 
     virtualcontroller::Options options;
-    robot::Access access;
+    robot::AccessRules rules;
+    robot::Access access {rules};
     robot::Arming arming;
     std::unique_ptr<virtualcontroller::Server> server;
     std::unique_ptr<robot::Controller> controller;

@@ -6,6 +6,7 @@
 
 using namespace std::chrono_literals;
 using robot::Access;
+using robot::AccessRules;
 using robot::Level;
 using settings::AccessSettings;
 using settings::Passcode;
@@ -15,16 +16,38 @@ class TestAccess : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void eachControllerHasItsOwn()
+    {
+        AccessSettings settings;
+        settings.idleTime = 5min;
+        AccessRules rules {settings};
+        Access one {rules};
+        Access other {rules};
+        QVERIFY(one.enter(Level::Engineer) == Access::Answer::Entered);
+        QVERIFY(other.level() == Level::Monitor);
+        QVERIFY(other.enter(Level::Operate) == Access::Answer::Entered);
+        const auto begin = std::chrono::steady_clock::now();
+        rules.noteActivity(begin); // one person, whatever controller they look at
+        one.tick(begin + 5min);
+        QVERIFY(one.level() == Level::Monitor);
+        QVERIFY(other.level() == Level::Operate);
+        rules.restrictToMonitor();
+        QVERIFY(other.level() == Level::Monitor);
+        QVERIFY(one.enter(Level::Operate) == Access::Answer::MonitorOnly);
+    }
+
     void beginsAtMonitor()
     {
-        Access access;
+        AccessRules rules;
+        Access access {rules};
         QVERIFY(access.level() == Level::Monitor);
         QVERIFY(!access.needsPasscode(Level::Engineer));
     }
 
     void goesUpAndDown()
     {
-        Access access;
+        AccessRules rules;
+        Access access {rules};
         QSignalSpy changes {&access, &Access::levelChanged};
         QVERIFY(access.enter(Level::Engineer) == Access::Answer::Entered);
         QVERIFY(access.level() == Level::Engineer);
@@ -37,13 +60,14 @@ private Q_SLOTS:
     {
         AccessSettings settings;
         settings.idleTime = 5min;
-        Access access {settings};
+        AccessRules rules {settings};
+        Access access {rules};
         QVERIFY(access.enter(Level::Operate) == Access::Answer::Entered);
         const auto begin = std::chrono::steady_clock::now();
-        access.noteActivity(begin);
+        rules.noteActivity(begin);
         access.tick(begin + 4min);
         QVERIFY(access.level() == Level::Operate);
-        access.noteActivity(begin + 4min);
+        rules.noteActivity(begin + 4min);
         access.tick(begin + 9min - 1ms);
         QVERIFY(access.level() == Level::Operate);
         QSignalSpy changes {&access, &Access::levelChanged};
@@ -56,7 +80,8 @@ private Q_SLOTS:
     {
         AccessSettings settings;
         settings.passcode = Passcode::of(QStringLiteral("forty-two"));
-        Access access {settings};
+        AccessRules rules {settings};
+        Access access {rules};
         QVERIFY(access.needsPasscode(Level::Operate));
         QVERIFY(access.enter(Level::Operate) == Access::Answer::WrongPasscode);
         QVERIFY(access.enter(Level::Operate, QStringLiteral("Forty-two")) == Access::Answer::WrongPasscode);
@@ -70,9 +95,10 @@ private Q_SLOTS:
 
     void monitorOnlyHasNoOtherLevel()
     {
-        Access access;
+        AccessRules rules;
+        Access access {rules};
         QVERIFY(access.enter(Level::Engineer) == Access::Answer::Entered);
-        access.restrictToMonitor();
+        rules.restrictToMonitor();
         QVERIFY(access.level() == Level::Monitor);
         QVERIFY(access.enter(Level::Operate) == Access::Answer::MonitorOnly);
         QVERIFY(access.level() == Level::Monitor);

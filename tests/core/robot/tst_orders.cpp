@@ -159,7 +159,7 @@ private Q_SLOTS:
         QCOMPARE(told.count, 1);
         QVERIFY(told.result.error().kind == ErrorKind::UnknownOutcome);
         QVERIFY(!cell.orders->isArmed());
-        QVERIFY(cell.arming.lastDrop() == Arming::Drop::CommunicationLost);
+        QVERIFY(cell.orders->lastDrop()->reason == Arming::Drop::Disconnected);
         cell.controller->open();
         QTRY_VERIFY(cell.orders->situation().isLinkUp);
         QVERIFY(!cell.orders->isArmed()); // reconnecting resumes reading only
@@ -188,11 +188,12 @@ private Q_SLOTS:
         cell.server->setFaults(Faults {{{{}, Direction::Request, FaultKind::Lose}}});
         Told told;
         cell.orders->send(protocol::ResetAlarm {}, {Act::ResetAlarm}, this, told.handler());
+        QSignalSpy dropped {&cell.arming, &Arming::dropped};
         cell.orders.reset();
         QCOMPARE(cell.records.size(), 1);
         QVERIFY(cell.records.constFirst().outcome == Outcome::Unknown);
         QVERIFY(!cell.arming.isArmed());
-        QVERIFY(cell.arming.lastDrop() == Arming::Drop::ProfileChanged);
+        QVERIFY(dropped.constFirst().at(1).value<Arming::Drop>() == Arming::Drop::Disconnected);
     }
 
     void readsBack()

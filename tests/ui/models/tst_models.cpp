@@ -48,7 +48,8 @@ struct Desk {
     QTemporaryDir folder;
     QSettings file;
     protocol::Dialect dialect = protocol::dialect(protocol::Model::YRC1000);
-    robot::Access access;
+    robot::AccessRules rules;
+    robot::Access access {rules};
     robot::Arming arming;
     robot::Controller controller;
     robot::Orders orders;

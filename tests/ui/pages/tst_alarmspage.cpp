@@ -41,7 +41,7 @@ struct Desk : Harness {
     {
         if (!connectLive())
             return QStringLiteral("connection");
-        access.enter(level);
+        access().enter(level);
         window.view().openPage(alarmsRow());
         if (!QTest::qWaitFor([this] { return history()->rowCount() == 6; }, 30'000))
             return words("historyState");

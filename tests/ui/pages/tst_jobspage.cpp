@@ -357,7 +357,7 @@ void TestJobsPage::armingNeedsBoxesAndASecond()
     QVERIFY(harness.arm());
     harness.server->memory().status.data1.setFlag(Status::Play, false);
     QTRY_VERIFY(!harness.arming.isArmed());
-    QVERIFY(harness.arming.lastDrop() == Arming::Drop::ModeChanged);
+    QVERIFY(harness.orders().lastDrop()->reason == Arming::Drop::ModeChanged);
 }
 
 void TestJobsPage::everythingSaysWhyNotInMonitor()

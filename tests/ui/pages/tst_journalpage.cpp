@@ -30,7 +30,7 @@ struct Desk : Harness {
     {
         if (!connectLive())
             return false;
-        access.enter(level);
+        access().enter(level);
         window.view().openPage(journalRow());
         return true;
     }
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QTRY_COMPARE(desk.rows()->rowCount(), 1);
         QCOMPARE(desk.cell(0, OrderModel::Outcome), QStringLiteral("□ not sent"));
         QCOMPARE(desk.cell(0, OrderModel::Level), QStringLiteral("Monitor"));
-        desk.access.enter(Level::Operate);
+        desk.access().enter(Level::Operate);
         QTRY_VERIFY(!desk.window.view().orders().obstacle(Act::SelectCycle));
         desk.cycle(values::CycleMode::Step, "step");
         QTRY_COMPARE(desk.rows()->rowCount(), 2);

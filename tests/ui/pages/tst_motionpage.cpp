@@ -32,7 +32,7 @@ struct Desk : JobsHarness {
         virtualcontroller::stopRunning(server->memory());
         server->memory().groups[0].pose = home;
         rest();
-        access.enter(level);
+        access().enter(level);
         click("motionEntry");
         window.activateWindow();
         return QTest::qWaitFor([this] { return window.isActiveWindow() && !running() && orders().situation().status; })
@@ -62,7 +62,7 @@ struct Desk : JobsHarness {
         if (!isArmed)
             qWarning("arm: enabled %d, visible %d, %s, %s, drop %d", button->isEnabled(), button->isVisible(),
                 qPrintable(page->findChild<QLabel *>(QStringLiteral("reason-arm"))->text()),
-                button->metaObject()->className(), arming.lastDrop() ? int(*arming.lastDrop()) : -1);
+                button->metaObject()->className(), orders().lastDrop() ? int(orders().lastDrop()->reason) : -1);
         return isArmed;
     }
     [[nodiscard]] QPoint centre(const char *name) const
@@ -144,9 +144,9 @@ void TestMotionPage::closedAndSaysWhy_data()
     row(
         "disarmed", [](Desk &desk) { desk.arming.drop(robot::Arming::Drop::ByHand); }, "armed");
     row(
-        "Monitor", [](Desk &desk) { desk.access.enter(Level::Monitor); }, "Engineer");
+        "Monitor", [](Desk &desk) { desk.access().enter(Level::Monitor); }, "Engineer");
     row(
-        "Operate", [](Desk &desk) { desk.access.enter(Level::Operate); }, "Engineer");
+        "Operate", [](Desk &desk) { desk.access().enter(Level::Operate); }, "Engineer");
 }
 
 void TestMotionPage::closedAndSaysWhy()
@@ -209,7 +209,7 @@ void TestMotionPage::lettingGo_data()
     row("the other mouse button too", [](Desk &desk) {
         QTest::mousePress(desk.window.windowHandle(), Qt::RightButton, {}, desk.centre("jogPlus1"));
     });
-    row("access drops", [](Desk &desk) { desk.access.enter(Level::Monitor); });
+    row("access drops", [](Desk &desk) { desk.access().enter(Level::Monitor); });
     row("Pause key", [](Desk &desk) { QTest::keyClick(&desk.window, Qt::Key_Pause); });
 }
 
@@ -266,7 +266,7 @@ void TestMotionPage::badLimitsCloseIt()
     desk.window.connectTo(profile);
     QTRY_VERIFY(desk.isAllLive());
     desk.rest();
-    desk.access.enter(Level::Engineer);
+    desk.access().enter(Level::Engineer);
     desk.click("motionEntry");
     QVERIFY(desk.arm());
     QVERIFY(!desk.find("jogPlus1")->isEnabled());

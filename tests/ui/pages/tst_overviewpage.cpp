@@ -84,7 +84,7 @@ void fill(RobotState &state, int axes = 6)
 
 /// A page on a state that the test fills.
 struct Desk {
-    explicit Desk(const settings::Profile &own = {}) : profile {own}
+    explicit Desk(const settings::Profile &own = {}) : station {own, {store, rules, arming, journal}}
     {
         page.showLink({LinkState::Monitoring, {}, {}, 0, {}, {}});
     }
@@ -95,24 +95,18 @@ struct Desk {
     }
     [[nodiscard]] QString word(const char *name) const { return value(name)->text(); }
 
-    RobotState state;
-    settings::Profile profile;
+    QTemporaryDir folder;
+    bool isDataHere = qputenv("XDG_DATA_HOME", folder.path().toLocal8Bit()); ///< Before anything is kept.
     QWidget window;
     ui::Actions actions {&window};
-    robot::Controller controller {profile};
-    robot::Access access;
+    robot::AccessRules rules;
     robot::Arming arming;
-    robot::Orders orders {controller, access, arming};
-    QTemporaryDir folder;
-    trend::Recorder recorder {controller, folder.path()};
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
-    robot::AlarmLog alarms {orders, journal};
     QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
     settings::ProfileStore store {file};
-    robot::NameBook names {profile, store.notes(profile.name)};
-    robot::NumberingGuard numbering {orders};
-    pages::OverviewPage page {
-        {controller, orders, alarms, journal, state, profile, store, names, numbering, actions, recorder}};
+    station::Station station;
+    RobotState &state = const_cast<RobotState &>(station.state()); ///< Filled by hand.
+    pages::OverviewPage page {{station, store, actions}};
 };
 
 bool lay(QWidget &widget, const QSize &size)

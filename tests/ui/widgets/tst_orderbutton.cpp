@@ -29,7 +29,7 @@ private Q_SLOTS:
         QVERIFY(reason(button)->text().startsWith(QStringLiteral("The access level is Monitor")));
         QTest::mouseClick(button.button(), Qt::LeftButton);
         QCOMPARE(clicks.count(), 0);
-        harness.access.enter(Level::Operate);
+        harness.access().enter(Level::Operate);
         QVERIFY(button.button()->isEnabled());
         QVERIFY(!reason(button)->isVisible());
         QTest::mouseClick(button.button(), Qt::LeftButton);
@@ -43,7 +43,7 @@ private Q_SLOTS:
     {
         Harness harness;
         QVERIFY(harness.connectLive());
-        harness.access.enter(Level::Engineer);
+        harness.access().enter(Level::Engineer);
         OrderButton button {harness.window.view().orders(), Act::WriteRegister};
         button.setComplaint(QStringLiteral("Type a number first."));
         button.show();
@@ -57,7 +57,7 @@ private Q_SLOTS:
     {
         Harness harness;
         QVERIFY(harness.connectLive());
-        harness.access.enter(Level::Operate);
+        harness.access().enter(Level::Operate);
         OrderButton button {harness.window.view().orders(), Act::SelectCycle};
         button.show();
         button.expect([](const Situation &s) { return s.status && s.status->data1.testFlag(values::Status::Step); });
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(remedy(1)->isVisible());
         QVERIFY(!remedy(0)->isVisible());
         QVERIFY(words(16).endsWith(QStringLiteral("cannot be read over HSES")));
-        harness.access.enter(Level::Engineer);
+        harness.access().enter(Level::Engineer);
         QCOMPARE(words(1), QStringLiteral("The access level is Operate or Engineer"));
         QVERIFY(!remedy(1)->isVisible());
     }

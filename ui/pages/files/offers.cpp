@@ -74,7 +74,7 @@ void Offers::askNext()
 void Offers::askAbout(const Offer &offer)
 {
     const bool isDownload = offer.direction == Direction::Download;
-    const QString where = isDownload ? tr("on this computer") : tr("on %1").arg(m_context.profile.name);
+    const QString where = isDownload ? tr("on this computer") : tr("on %1").arg(m_context.station.profile().name);
     auto *dialog = new dialogs::OverwriteDialog(
         text(m_context, offer.name), where, isDownload, int(m_offers.size()) - 1, m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -112,7 +112,7 @@ void Offers::compare(const Offer &offer)
     readRemote(m_context, offer.name, m_window, [this, offer](const QByteArray &remote) {
         const QByteArray local = files::readFile(offer.localPath).value_or(QByteArray());
         const bool isDownload = offer.direction == Direction::Download;
-        const protocol::TextCodec codec {m_context.profile.encoding};
+        const protocol::TextCodec codec {m_context.station.profile().encoding};
         auto *dialog = new dialogs::CompareDialog(tr("What would change in “%1”").arg(text(m_context, offer.name)),
             isDownload ? local : remote, isDownload ? remote : local, codec, {}, m_window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);

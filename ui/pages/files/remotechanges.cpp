@@ -25,7 +25,8 @@ void RemoteChanges::edit(const FileName &name)
 
 void RemoteChanges::openEditor(const FileName &name, const QByteArray &content)
 {
-    auto *editor = new dialogs::JobEditor(name, content, protocol::TextCodec {m_context.profile.encoding}, m_window);
+    auto *editor =
+        new dialogs::JobEditor(name, content, protocol::TextCodec {m_context.station.profile().encoding}, m_window);
     editor->setAttribute(Qt::WA_DeleteOnClose);
     connect(editor, &dialogs::JobEditor::sendRequested, this,
         [this, editor, name, content](const QByteArray &edited) { compareAndSend(name, content, edited, editor); });
@@ -35,9 +36,9 @@ void RemoteChanges::openEditor(const FileName &name, const QByteArray &content)
 void RemoteChanges::compareAndSend(
     const FileName &name, const QByteArray &older, const QByteArray &newer, QWidget *editor)
 {
-    const protocol::TextCodec codec {m_context.profile.encoding};
-    const bool mayChange = older != newer && !m_context.orders.obstacle(robot::Act::Upload);
-    const QString title = tr("What changes in “%1” on %2").arg(text(m_context, name), m_context.profile.name);
+    const protocol::TextCodec codec {m_context.station.profile().encoding};
+    const bool mayChange = older != newer && !m_context.station.orders.obstacle(robot::Act::Upload);
+    const QString title = tr("What changes in “%1” on %2").arg(text(m_context, name), m_context.station.profile().name);
     auto *dialog = new dialogs::CompareDialog(title, older, newer, codec, mayChange ? tr("Send") : QString(), editor);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, name, newer, editor] {
@@ -53,9 +54,9 @@ void RemoteChanges::remove(const QList<FileName> &names, const QString &folderOf
     QStringList words;
     for (const FileName &name : names)
         words << text(m_context, name);
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Delete on %1").arg(m_context.profile.name),
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Delete on %1").arg(m_context.station.profile().name),
         tr("These files are deleted on %1:\n%2\nBefore that each is copied to %3.")
-            .arg(m_context.profile.name, words.join(u'\n'), QDir::toNativeSeparators(folderOfCopies)),
+            .arg(m_context.station.profile().name, words.join(u'\n'), QDir::toNativeSeparators(folderOfCopies)),
         QMessageBox::Cancel, m_window);
     box->setObjectName(QStringLiteral("deleteFiles"));
     box->setAttribute(Qt::WA_DeleteOnClose);

@@ -25,13 +25,13 @@ void tell(const QString &title, const QString &text, QWidget *window)
 
 QString text(const Context &context, const FileName &name)
 {
-    return protocol::TextCodec {context.profile.encoding}.decode(name.bytes());
+    return protocol::TextCodec {context.station.profile().encoding}.decode(name.bytes());
 }
 
 void readRemote(const Context &context, const FileName &name, QWidget *window,
     const std::function<void(const QByteArray &)> &handler)
 {
-    session::FileSession *session = context.controller.files();
+    session::FileSession *session = context.station.controller.files();
     if (!session)
         return;
     session->save(name, window, [title = text(context, name), window, handler](const Result<QByteArray> &content) {

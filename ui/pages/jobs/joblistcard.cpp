@@ -43,9 +43,9 @@ void writeFavourites(settings::Notes notes, const QSet<QByteArray> &favourites)
 
 JobListCard::JobListCard(const Context &context, robot::JobLibrary &library, QWidget *parent)
     : Card(tr("Jobs on the controller"), parent),
-      m_state {context.state},
+      m_state {context.station.state()},
       m_library {library},
-      m_model {new JobListModel(context.profile.encoding, this)},
+      m_model {new JobListModel(context.station.profile().encoding, this)},
       m_filter {new models::JobFilter(m_model, this)},
       m_text {new QLineEdit},
       m_view {new QListView},
@@ -63,9 +63,9 @@ JobListCard::JobListCard(const Context &context, robot::JobLibrary &library, QWi
     connect(m_read, &QPushButton::clicked, &library, &robot::JobLibrary::readList);
     connect(&library, &robot::JobLibrary::listChanged, this, &JobListCard::showList);
     connect(&m_state, &robot::RobotState::changed, this, &JobListCard::showExecuting);
-    m_model->setFavourites(readFavourites(context.store.notes(context.profile.name)));
+    m_model->setFavourites(readFavourites(context.station.notes()));
     connect(m_model, &JobListModel::favouritesChanged, this,
-        [this, notes = context.store.notes(context.profile.name)] { writeFavourites(notes, m_model->favourites()); });
+        [this, notes = context.station.notes()] { writeFavourites(notes, m_model->favourites()); });
     showList();
     onCurrentChanged({});
 }

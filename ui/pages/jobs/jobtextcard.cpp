@@ -22,9 +22,9 @@ using values::FileName;
 
 JobTextCard::JobTextCard(const Context &context, JobLibrary &library, QWidget *parent)
     : Card(tr("Job text"), parent),
-      m_state {context.state},
+      m_state {context.station.state()},
       m_library {library},
-      m_encoding {context.profile.encoding},
+      m_encoding {context.station.profile().encoding},
       m_old {new widgets::MessageBar},
       m_view {new widgets::JobView},
       m_empty {widgets::sentence(tr("Choose a job in the list to read it."), ui::Role::Text2)},

@@ -8,9 +8,9 @@ namespace pages {
 
 OrderCard::OrderCard(const Context &context, const QString &title, QWidget *parent)
     : Card(title, parent),
-      m_orders {context.orders},
-      m_state {context.state},
-      m_profile {context.profile},
+      m_orders {context.station.orders},
+      m_state {context.station.state()},
+      m_profile {context.station.profile()},
       m_outcome {widgets::sentence({}, ui::Role::Amber)}
 {
     m_outcome->setObjectName(QStringLiteral("outcome"));

@@ -29,7 +29,7 @@ SelectCard::SelectCard(const Context &context, QWidget *parent)
     m_target->setAccessibleName(tr("Select as"));
     m_target->addItem(tr("to be executed"));
     m_target->addItem(tr("master job"));
-    const int subTasks = context.profile.dialect().lastMasterJob - JobTarget::masterOf(0).instance;
+    const int subTasks = context.station.profile().dialect().lastMasterJob - JobTarget::masterOf(0).instance;
     for (int task = 1; task <= subTasks; ++task)
         m_target->addItem(tr("master job of sub task %1").arg(task));
     m_line->setObjectName(QStringLiteral("selectLine"));

@@ -39,8 +39,8 @@ QLayout *pair(QWidget *job, QWidget *place)
 
 SelectionCard::SelectionCard(const Context &context, QWidget *parent)
     : Card(tr("Job"), parent),
-      m_state {context.state},
-      m_encoding {context.profile.encoding},
+      m_state {context.station.state()},
+      m_encoding {context.station.profile().encoding},
       m_selectedJob {field("selectedJob", tr("Selected"), ui::Type::State)},
       m_selectedPlace {field("selectedPlace", tr("Starts at"), ui::Type::Body)},
       m_executingJob {field("executingJob", tr("Executing"), ui::Type::State)},

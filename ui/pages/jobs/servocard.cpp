@@ -26,7 +26,7 @@ ServoCard::ServoCard(const Context &context, QWidget *parent)
     body()->addWidget(m_warning);
     connect(m_on, &widgets::OrderButton::clicked, this, &ServoCard::confirmOn);
     connect(m_off, &widgets::OrderButton::clicked, this, &ServoCard::switchOff);
-    connect(&context.state, &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
+    connect(&context.station.state(), &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
         if (range.contains(robot::topics::status))
             showStatus();
     });

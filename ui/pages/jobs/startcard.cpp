@@ -10,7 +10,7 @@ namespace pages {
 
 StartCard::StartCard(const Context &context, QWidget *parent) : OrderCard(context, tr("Start"), parent)
 {
-    body()->addWidget(new widgets::ArmControl(context.orders));
+    body()->addWidget(new widgets::ArmControl(context.station.orders));
     widgets::OrderButton *start = addButton(robot::Act::StartJob);
     start->setText(tr("Start…"));
     connect(start, &widgets::OrderButton::clicked, this, [this] { (new dialogs::StartSheet(m_orders, this))->show(); });

@@ -10,9 +10,9 @@ namespace pages {
 
 TasksCard::TasksCard(const Context &context, QWidget *parent)
     : Card(tr("Tasks"), parent),
-      m_state {context.state},
-      m_encoding {context.profile.encoding},
-      m_count {context.profile.dialect().tasks - 1},
+      m_state {context.station.state()},
+      m_encoding {context.station.profile().encoding},
+      m_count {context.station.profile().dialect().tasks - 1},
       m_open {new QPushButton(tr("Show the sub tasks"))},
       m_rows {new widgets::Rows(Qt::AlignLeft)}
 {

@@ -48,8 +48,8 @@ QString brief(double value) { return QLocale().toString(value, 'g', 4); }
 JogCard::JogCard(const Context &context, robot::Jog &jog, QWidget *parent)
     : Card(tr("Jog"), parent),
       m_jog {jog},
-      m_orders {context.orders},
-      m_state {context.state},
+      m_orders {context.station.orders},
+      m_state {context.station.state()},
       m_step {new widgets::Segments(QStringLiteral("jogStep"), tr("Step"))},
       m_speed {new widgets::Segments(QStringLiteral("jogSpeed"), tr("Speed"))},
       m_frame {new widgets::Segments(QStringLiteral("jogFrame"), tr("Frame"))},
@@ -78,7 +78,7 @@ JogCard::JogCard(const Context &context, robot::Jog &jog, QWidget *parent)
     connect(m_pad, &widgets::JogPad::released, &jog, &robot::Jog::release);
     connect(m_keys, &QCheckBox::toggled, m_pad, &widgets::JogPad::setKeysAllowed);
     connect(&jog, &robot::Jog::changed, this, &JogCard::showState);
-    connect(&context.orders, &robot::Orders::situationChanged, this, &JogCard::showState);
+    connect(&context.station.orders, &robot::Orders::situationChanged, this, &JogCard::showState);
     connect(&m_state, &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
         if (range.kind == Kind::AxisNames)
             showAxes();

@@ -72,9 +72,9 @@ QWidget *holding(QLayout *layout)
 
 MoveCard::MoveCard(const Context &context, const Result<motion::Limits> &limits, QWidget *parent)
     : Card(tr("Move"), parent),
-      m_orders {context.orders},
-      m_state {context.state},
-      m_profile {context.profile},
+      m_orders {context.station.orders},
+      m_state {context.station.state()},
+      m_profile {context.station.profile()},
       m_limits {limits},
       m_how {named(new QComboBox, "moveType", tr("Type of the move"))},
       m_frame {named(new QComboBox, "moveFrame", tr("Frame of the target"))},
@@ -83,7 +83,7 @@ MoveCard::MoveCard(const Context &context, const Result<motion::Limits> &limits,
       m_track {named(new QLineEdit, "moveTrack", tr("Base axes in mm"))},
       m_form {widgets::sentence({}, ui::Role::Text2)},
       m_points {new PointsBar(context)},
-      m_move {new widgets::OrderButton(context.orders, robot::Act::Move)}
+      m_move {new widgets::OrderButton(context.station.orders, robot::Act::Move)}
 {
     m_form->setObjectName(QStringLiteral("moveForm"));
     m_move->setText(tr("Rehearse…"));

@@ -33,8 +33,8 @@ QPushButton *button(const char *name, const QString &words)
 
 PointsBar::PointsBar(const Context &context, QWidget *parent)
     : QWidget(parent),
-      m_orders {context.orders},
-      m_edits {context.orders, {}},
+      m_orders {context.station.orders},
+      m_edits {context.station.orders, {}},
       m_variable {new QSpinBox},
       m_menu {new QMenu(this)},
       m_note {widgets::sentence({}, ui::Role::Text2)}
@@ -45,7 +45,7 @@ PointsBar::PointsBar(const Context &context, QWidget *parent)
     auto *keepButton = button("moveKeep", tr("Keep the present position as P"));
     m_variable->setObjectName(QStringLiteral("moveVariable"));
     m_variable->setAccessibleName(tr("P variable"));
-    m_variable->setRange(0, context.profile.dialect().positionVariables - 1);
+    m_variable->setRange(0, context.station.profile().dialect().positionVariables - 1);
     m_variable->setPrefix(QStringLiteral("P"));
     m_note->setObjectName(QStringLiteral("moveNote"));
     history->setMenu(m_menu);
