@@ -34,7 +34,8 @@ QString valueOf(const Block &block, const protocol::TextCodec &codec)
 /// "R1 : MODEL   0011_1111,  B1 : MODEL  0000_0001" or, on a DX100, "MODEL  0111_1111   BS 0000_0001".
 void readMechanisms(const QString &row, int robot, QList<Mechanism> &mechanisms)
 {
-    static const QRegularExpression unit {QStringLiteral("[,\\s]*(?:([RBS]\\d+)\\s*:\\s*)?([^\\s,].*?)\\s+([01]{4}_[01]{4})")};
+    static const QRegularExpression unit {
+        QStringLiteral("[,\\s]*(?:([RBS]\\d+)\\s*:\\s*)?([^\\s,].*?)\\s+([01]{4}_[01]{4})")};
     for (auto match = unit.globalMatch(row); match.hasNext();) {
         const auto found = match.next();
         QString group = found.captured(1);

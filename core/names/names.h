@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "names/namefile.h"
+#include "names/signal.h"
+#include "variables/reference.h"
+#include <QHash>
 #include <QJsonObject>
 
 namespace names {
@@ -39,9 +41,9 @@ public:
         set(m_local.variableNames, variable, text);
     }
 
-    /// Replaces what the controller says of its signals, or of its variables.
-    void takeSignalNames(const NameFile &file) { m_own.signalNames = file.signalNames; }
-    void takeVariableNames(const NameFile &file) { m_own.variableNames = file.variableNames; }
+    /// Replaces what the controller says of its signals, or of its variables and registers.
+    void takeSignalNames(QHash<Signal, QString> names) { m_own.signalNames = std::move(names); }
+    void takeVariableNames(QHash<variables::Reference, QString> names) { m_own.variableNames = std::move(names); }
 
     /// The local names, as they are kept in the settings: {"#00010": "DOOR", "B000": "PARTS"}.
     [[nodiscard]] QJsonObject localNames() const;

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/namebook.h"
 
+#include "cellfiles/signalnames.h"
 #include "robot/controller.h"
 #include "session/filesession.h"
-#include <functional>
 
 namespace robot {
 
@@ -64,42 +64,78 @@ void NameBook::setRemark(const variables::Reference &variable, const QString &te
 void NameBook::follow(Controller &controller)
 {
     connect(&controller, &Controller::linkStateChanged, this, [this, &controller] {
-        m_signalFetch.isUnderWay = false; // a transfer ends with its link
-        m_variableFetch.isUnderWay = false;
+        for (Source &source : m_sources)
+            source.fetch.isUnderWay = false; // a transfer ends with its link
         const bool isNew = controller.linkState() == LinkState::Monitoring && controller.timesLost() == 0;
         if (isNew && controller.files())
             fetch(*controller.files());
     });
 }
 
+NameBook::OwnNames NameBook::readSignals(const QByteArray &file, const protocol::TextCodec &codec)
+{
+    const auto parsed = cellfiles::signalNamesFrom(file, codec);
+    OwnNames own;
+    for (auto name = parsed.value.names.begin(); name != parsed.value.names.end(); ++name)
+        own.signalNames.insert({name.key() / 10, name.key() % 10}, name.value());
+    own.warnings = parsed.warnings;
+    return own;
+}
+
+NameBook::OwnNames NameBook::readVariables(const QByteArray &file, const protocol::TextCodec &codec)
+{
+    const auto parsed = cellfiles::variableNamesFrom(file, codec);
+    return {{}, parsed.value.byVariable(), parsed.warnings};
+}
+
+NameBook::OwnNames NameBook::readRegisters(const QByteArray &file, const protocol::TextCodec &codec)
+{
+    const auto parsed = cellfiles::registerNamesFrom(file, codec);
+    OwnNames own;
+    for (auto name = parsed.value.names.begin(); name != parsed.value.names.end(); ++name)
+        own.variableNames.insert({variables::Kind::M, name.key()}, name.value());
+    own.warnings = parsed.warnings;
+    return own;
+}
+
 void NameBook::fetch(session::FileSession &files)
 {
-    fetch(files, "IONAME.DAT", m_signalFetch, &names::Names::takeSignalNames);
-    fetch(files, "VARNAME.DAT", m_variableFetch, &names::Names::takeVariableNames);
+    for (Source &source : m_sources)
+        fetch(files, source);
 }
 
-void NameBook::fetch(session::FileSession &files, QByteArrayView name, Fetch &fetch, Take take)
+void NameBook::fetch(session::FileSession &files, Source &source)
 {
-    if (std::exchange(fetch.isUnderWay, true))
+    if (std::exchange(source.fetch.isUnderWay, true))
         return;
-    files.save(*FileName::create(name), this,
-        [this, &fetch, take](const Result<QByteArray> &file) { onFetched(file, fetch, take); });
+    files.save(*FileName::create(source.file), this,
+        [this, &source](const Result<QByteArray> &file) { onFetched(file, source); });
     Q_EMIT fetchChanged();
 }
 
-void NameBook::onFetched(const Result<QByteArray> &file, Fetch &fetch, Take take)
+void NameBook::onFetched(const Result<QByteArray> &file, Source &source)
 {
-    fetch = {};
+    source.fetch = {};
     if (file) {
-        names::NameFile read = names::readNames(*file, m_codec, m_dialect);
-        fetch.remarks = read.remarkCount;
-        fetch.remarkList = std::move(read.remarks);
-        std::invoke(take, m_names, read);
-        Q_EMIT changed();
+        source.names = source.read(*file, m_codec);
+        source.fetch.warnings = source.names.warnings;
+        takeOwnNames();
     } else {
-        fetch.error = file.error();
+        source.fetch.error = file.error();
     }
     Q_EMIT fetchChanged();
+}
+
+void NameBook::takeOwnNames()
+{
+    OwnNames all;
+    for (const Source &source : m_sources) {
+        all.signalNames.insert(source.names.signalNames);
+        all.variableNames.insert(source.names.variableNames);
+    }
+    m_names.takeSignalNames(all.signalNames);
+    m_names.takeVariableNames(all.variableNames);
+    Q_EMIT changed();
 }
 
 } // namespace robot

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "cellfiles/outline.h"
 #include "names/names.h"
 #include "settings/notes.h"
 #include "settings/profile.h"
@@ -27,8 +28,7 @@ public:
     struct Fetch {
         bool isUnderWay = false;
         std::optional<values::Error> error; ///< Why the names are not known.
-        int remarks = 0; ///< Lines that could not be read; see remarkList.
-        QList<names::Remark> remarkList;
+        cellfiles::Warnings warnings; ///< Lines that could not be read.
     };
 
     NameBook(const settings::Profile &profile, settings::Notes notes, QObject *parent = nullptr);
@@ -43,10 +43,12 @@ public:
 
     /// Reads the names once for each link of `controller`, as soon as it stands; `controller` must outlive the book.
     void follow(Controller &controller);
-    /// Reads IONAME.DAT and VARNAME.DAT, which a controller need not have. Nothing that was read before is lost by it.
+    /// Reads IONAME.DAT, EXIONAME.DAT, IOMNAME.DAT and VARNAME.DAT, which a controller need not have. Nothing that was
+    /// read before is lost by it.
     void fetch(session::FileSession &files);
-    [[nodiscard]] const Fetch &signalFetch() const { return m_signalFetch; }
-    [[nodiscard]] const Fetch &variableFetch() const { return m_variableFetch; }
+    /// How IONAME.DAT and VARNAME.DAT fared.
+    [[nodiscard]] const Fetch &signalFetch() const { return m_sources[0].fetch; }
+    [[nodiscard]] const Fetch &variableFetch() const { return m_sources[1].fetch; }
 
 Q_SIGNALS:
     /// Names or remarks are others than before.
@@ -54,10 +56,25 @@ Q_SIGNALS:
     void fetchChanged();
 
 private:
-    using Take = void (names::Names::*)(const names::NameFile &);
+    /// What one file of the controller says.
+    struct OwnNames {
+        QHash<names::Signal, QString> signalNames;
+        QHash<variables::Reference, QString> variableNames;
+        cellfiles::Warnings warnings;
+    };
+    struct Source {
+        const char *file;
+        OwnNames (*read)(const QByteArray &, const protocol::TextCodec &);
+        Fetch fetch {};
+        OwnNames names {};
+    };
 
-    void fetch(session::FileSession &files, QByteArrayView name, Fetch &fetch, Take take);
-    void onFetched(const values::Result<QByteArray> &file, Fetch &fetch, Take take);
+    static OwnNames readSignals(const QByteArray &file, const protocol::TextCodec &codec);
+    static OwnNames readVariables(const QByteArray &file, const protocol::TextCodec &codec);
+    static OwnNames readRegisters(const QByteArray &file, const protocol::TextCodec &codec);
+    void fetch(session::FileSession &files, Source &source);
+    void onFetched(const values::Result<QByteArray> &file, Source &source);
+    void takeOwnNames();
     void keepNames();
 
     protocol::TextCodec m_codec;
@@ -65,8 +82,8 @@ private:
     settings::Notes m_notes;
     names::Names m_names;
     QHash<variables::Reference, QString> m_remarks;
-    Fetch m_signalFetch;
-    Fetch m_variableFetch;
+    std::array<Source, 4> m_sources {Source {"IONAME.DAT", readSignals}, Source {"VARNAME.DAT", readVariables},
+        Source {"EXIONAME.DAT", readSignals}, Source {"IOMNAME.DAT", readRegisters}};
 };
 
 } // namespace robot

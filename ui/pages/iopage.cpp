@@ -280,8 +280,8 @@ void IoPage::showSentence()
     const auto &fetch = m_context.station.names.signalFetch();
     if (fetch.error)
         sentences << tr("The controller's names are not known: %1.").arg(protocol::explain(*fetch.error));
-    else if (fetch.remarks > 0)
-        sentences << tr("%n line(s) of IONAME.DAT could not be read.", nullptr, fetch.remarks);
+    else if (!fetch.warnings.isEmpty())
+        sentences << tr("%n line(s) of IONAME.DAT could not be read.", nullptr, fetch.warnings.count());
     m_sentence->setText(sentences.join(u' '));
     widgets::setTextRole(m_sentence, refused.isEmpty() ? ui::Role::Text2 : ui::Role::Amber);
 }

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void readsVariables();
     void keepsEveryNameOfANumber();
     void readsTimers();
+    void survivesEveryCut();
     void numbersSignals_data();
     void numbersSignals();
 };
@@ -166,6 +167,13 @@ void SignalNamesTest::readsTimers()
     QCOMPARE(parsed.warnings.count(), 0);
     QCOMPARE(parsed.value.timers, (QMap<int, QString> {{0, QStringLiteral("DWELL")}, {2, QStringLiteral("COOL")}}));
     QCOMPARE(parsed.value.flags, (QMap<int, QString> {{1, QStringLiteral("DONE")}}));
+}
+
+void SignalNamesTest::survivesEveryCut()
+{
+    const QByteArray file = "/IONAME\r\n//IN\r\nA\x8A,B\r\n//OUT\r\nC\r\n";
+    for (qsizetype size = 0; size <= file.size(); ++size)
+        QVERIFY(signalNamesFrom(file.first(size), samples::codec()).value.names.size() <= 3);
 }
 
 void SignalNamesTest::numbersSignals_data()

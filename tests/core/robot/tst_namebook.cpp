@@ -60,21 +60,26 @@ void TestNameBook::readsTheControllersFiles()
     options.filePort = 0;
     virtualcontroller::Server server {options};
     QVERIFY(server.start());
-    server.memory().files["IONAME.DAT"] = "//IONAME\r\n///IN\r\n0001,DOOR\r\nnonsense\r\n";
-    server.memory().files["VARNAME.DAT"] = "//VARNAME\r\n///B\r\n007,PARTS\r\n";
+    server.memory().files["IONAME.DAT"] = "/IONAME\r\n//IN\r\nDOOR,,,\r\n,,,LAMP,NONSENSE\r\n";
+    server.memory().files["VARNAME.DAT"] = "//VARNAME\r\n///B\r\n0007 1,0,PARTS\r\n";
     settings::Profile profile;
     profile.name = QStringLiteral("CELL 4");
     profile.host = QStringLiteral("127.0.0.1");
     profile.port = server.port();
     profile.filePort = server.filePort();
+    server.memory().files["EXIONAME.DAT"] = "/EXIONAME\r\n//EXOUT\r\nREADY,,,\r\n";
+    server.memory().files["IOMNAME.DAT"] = "/IOMMAME\r\n//NAME\r\n\r\nSPEED\r\n";
     Controller controller {profile};
     NameBook book {profile, settings::Notes {file, profile.name}};
     book.follow(controller);
     controller.open();
     QTRY_COMPARE(book.names().of(names::Signal {1, 0}).text, QStringLiteral("DOOR"));
     QTRY_COMPARE(book.names().of(Reference {VariableKind::B, 7}).text, QStringLiteral("PARTS"));
-    QCOMPARE(book.signalFetch().remarks, 1);
-    QCOMPARE(book.signalFetch().remarkList.first().line, 4);
+    QTRY_COMPARE(book.names().of(names::Signal {3001, 0}).text, QStringLiteral("READY"));
+    QTRY_COMPARE(book.names().of(Reference {VariableKind::M, 1}).text, QStringLiteral("SPEED"));
+    QCOMPARE(book.names().of(names::Signal {1, 7}).text, QStringLiteral("LAMP"));
+    QCOMPARE(book.signalFetch().warnings.count(), 1);
+    QCOMPARE(book.signalFetch().warnings.list().first().line, 4);
     QVERIFY(!book.variableFetch().error);
 }
 
