@@ -29,11 +29,15 @@ void printBackup(Desk &desk, const files::Backup &backup)
         complain(QStringLiteral("%1: %2").arg(name, protocol::explain(*result.error)));
     }
     if (desk.call().isJson)
-        print(
-            QJsonValue {QJsonObject {{QStringLiteral("bag"), backup.path()}, {QStringLiteral("files"), all - failures},
-                {QStringLiteral("listed"), all}, {QStringLiteral("failed"), failed}}});
+        print(QJsonValue {QJsonObject {{QStringLiteral("bag"), backup.path()},
+            {QStringLiteral("files"), all - failures}, {QStringLiteral("listed"), all},
+            {QStringLiteral("bytes"), backup.bytesDone()}, {QStringLiteral("failed"), failed}}});
     else
-        print(QStringLiteral("%1  %2 of %3 files").arg(backup.path()).arg(all - failures).arg(all));
+        print(QStringLiteral("%1  %2 of %3 files, %4 bytes")
+                  .arg(backup.path())
+                  .arg(all - failures)
+                  .arg(all)
+                  .arg(backup.bytesDone()));
 }
 
 } // namespace
@@ -44,16 +48,20 @@ int runBackup(const QStringList &arguments)
     QCommandLineParser parser;
     const auto keep = number("keep", tr("Delete all but the newest N backups afterwards, never the last good one."));
     const auto days = number("keep-days", tr("Delete backups older than N days afterwards, never the last good one."));
+    const QCommandLineOption allParameters {QStringLiteral("all-prm"),
+        tr("Also read ALL.PRM, which repeats the other parameter files and takes a real controller 45 s.")};
     const VerbHelp help {tr("Reads all files of the controller into DIR/<controller>/<UTC time>, in BagIt form."),
-        QStringLiteral("DIR"), {keep, days}};
+        QStringLiteral("DIR"), {keep, days, allParameters}};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
     if (call.words.size() != 1)
         return mistake(tr("Say the folder of the backups."));
     const files::Retention retention {parser.value(keep).toInt(), parser.value(days).toInt()};
+    const bool wantsAll = parser.isSet(allParameters);
     return run(call, [=](Desk &desk) {
-        withOrder(desk, desk.call().words[0], [&desk, retention](files::BackupOrder order) {
+        withOrder(desk, desk.call().words[0], [&desk, retention, wantsAll](files::BackupOrder order) {
             order.retention = retention;
+            order.wantsAllParameters = wantsAll;
             auto *backup = new files::Backup {desk.files(), order, &desk};
             QObject::connect(backup, &files::Operation::progressed, &desk, [&desk, backup] {
                 showProgress(desk.call(),

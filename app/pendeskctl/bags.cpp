@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "bags.h"
 
+#include "files/folder.h"
 #include "protocol/requests.h"
+#include <QFileInfo>
 #include <QRegularExpression>
 
 using values::Result;
@@ -41,6 +43,17 @@ tl::expected<files::Bag, ExitCode> goodBag(const QString &path)
         return tl::unexpected(VerificationFailed);
     }
     return std::move(*bag);
+}
+
+tl::expected<files::FileSet, ExitCode> goodFiles(const QString &path)
+{
+    if (QFileInfo::exists(path + QStringLiteral("/bagit.txt")))
+        return goodBag(path).map([](const files::Bag &bag) { return bag.files(); });
+    auto set = files::folderFiles(path);
+    if (set)
+        return *set;
+    complain(set.error().detail);
+    return tl::unexpected(LocalFile);
 }
 
 void withOrder(Desk &desk, const QString &root, const std::function<void(const files::BackupOrder &)> &handler)

@@ -15,6 +15,9 @@ namespace pendeskctl {
 /// program is to end with that code.
 [[nodiscard]] tl::expected<files::Bag, ExitCode> goodBag(const QString &path);
 
+/// The same for a folder of controller files that is no backup, or for one file.
+[[nodiscard]] tl::expected<files::FileSet, ExitCode> goodFiles(const QString &path);
+
 /// What a backup into `root` is to be. What the controller says of itself goes into it; without an answer it is made
 /// all the same.
 void withOrder(Desk &desk, const QString &root, const std::function<void(const files::BackupOrder &)> &handler);

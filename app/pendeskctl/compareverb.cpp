@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "bags.h"
-#include "files/compare.h"
-#include "files/jobdiff.h"
-#include "files/preflight.h"
+#include "station/differences.h"
 #include "verbs.h"
 #include <QJsonArray>
 #include <QJsonObject>
@@ -14,6 +12,17 @@ using values::FileName;
 namespace pendeskctl {
 
 namespace {
+
+const char *word(cellfiles::FileClass fileClass)
+{
+    switch (fileClass) {
+    case cellfiles::FileClass::Configuration: return "configuration";
+    case cellfiles::FileClass::Data: return "data";
+    case cellfiles::FileClass::Log: return "log";
+    case cellfiles::FileClass::Counter: return "counter";
+    }
+    return "";
+}
 
 const char *word(files::Change change)
 {
@@ -28,17 +37,39 @@ const char *word(files::Change change)
     return "";
 }
 
-QStringList editsOf(const FileName &name, const files::FileSet &older, const files::FileSet &newer,
-    const files::NoiseFilter &noise, const protocol::TextCodec &codec)
+QJsonObject toJson(const station::FileDifference &difference, const QString &name)
 {
-    const auto before = older.content(name);
-    const auto after = newer.content(name);
-    QStringList texts;
-    if (!files::isJobFile(name) || !before || !after)
-        return texts;
-    for (const files::JobEdit &edit : diffJobs(files::parseJob(*before), files::parseJob(*after), noise))
-        texts << explain(edit, codec);
-    return texts;
+    QStringList edits;
+    QJsonArray statements;
+    for (const cell::Statement &statement : difference.statements) {
+        edits << statement.text;
+        statements << QJsonObject {{QStringLiteral("text"), statement.text},
+            {QStringLiteral("safety"), statement.isSafety}, {QStringLiteral("noise"), statement.isNoise}};
+    }
+    return {{QStringLiteral("name"), name}, {QStringLiteral("change"), QString::fromLatin1(word(difference.change))},
+        {QStringLiteral("class"), QString::fromLatin1(word(difference.fileClass))},
+        {QStringLiteral("edits"), QJsonArray::fromStringList(edits)}, {QStringLiteral("statements"), statements}};
+}
+
+void printLines(const station::FileDifference &difference, const QString &name)
+{
+    print(QStringLiteral("%1  %2").arg(QString::fromLatin1(word(difference.change)), -8).arg(name));
+    for (const cell::Statement &statement : difference.statements)
+        print((statement.isSafety ? QStringLiteral("        ! ") : QStringLiteral("          ")) + statement.text);
+}
+
+/// "9 counters, 2 logs changed": what was folded.
+void printFolded(const QList<station::FileDifference> &differences)
+{
+    using cellfiles::FileClass;
+    const int counters = foldedCount(differences, FileClass::Counter);
+    const int logs = foldedCount(differences, FileClass::Log);
+    const int others = foldedCount(differences, FileClass::Configuration) + foldedCount(differences, FileClass::Data);
+    if (counters + logs + others > 0)
+        print(tr("Not counted: %1 counters, %2 logs, %3 other files with nothing but dates, hours or check lines.")
+                  .arg(counters)
+                  .arg(logs)
+                  .arg(others));
 }
 
 /// Prints what is not the same; the exit code.
@@ -46,26 +77,23 @@ ExitCode printComparison(const Call &call, const files::FileSet &older, const fi
 {
     const auto noise = withNoise ? files::NoiseFilter::none() : files::NoiseFilter {};
     const protocol::TextCodec codec {call.profile.encoding};
-    const auto changes = compare(older, newer, noise);
+    const auto differences = station::differencesOf(older, newer, noise, codec);
     QJsonArray json;
-    for (const files::FileChange &change : changes) {
-        if (change.change == files::Change::Same || change.change == files::Change::OnlyNoise)
+    bool isDifferent = false;
+    for (const station::FileDifference &difference : differences) {
+        if (!withNoise && !difference.counts())
             continue;
-        const QString name = codec.decode(change.name.bytes());
-        const QString state = QString::fromLatin1(word(change.change));
-        const QStringList edits =
-            change.change == files::Change::Changed ? editsOf(change.name, older, newer, noise, codec) : QStringList {};
-        json << QJsonObject {{QStringLiteral("name"), name}, {QStringLiteral("change"), state},
-            {QStringLiteral("edits"), QJsonArray::fromStringList(edits)}};
-        if (call.isJson)
-            continue;
-        print(QStringLiteral("%1  %2").arg(state, -8).arg(name));
-        for (const QString &edit : edits)
-            print(QStringLiteral("          ") + edit);
+        isDifferent = true;
+        const QString name = codec.decode(difference.name.bytes());
+        json << toJson(difference, name);
+        if (!call.isJson)
+            printLines(difference, name);
     }
     if (call.isJson)
         print(QJsonValue {json});
-    return differences(changes) > 0 ? Differences : Done;
+    else if (!withNoise)
+        printFolded(differences);
+    return isDifferent ? Differences : Done;
 }
 
 } // namespace
@@ -76,8 +104,10 @@ int runCompare(const QStringList &arguments)
     Call call;
     QCommandLineParser parser;
     const QCommandLineOption noise {
-        QStringLiteral("noise"), tr("Count dates, counters, blanks and line ends as differences too.")};
-    VerbHelp help {tr("Compares two backups, or a backup with the controller; exit code 1 if they differ."),
+        QStringLiteral("noise"), tr("Count dates, counters, logs, blanks and line ends as differences too.")};
+    VerbHelp help {
+        tr("Compares two backups or folders of controller files, or one with the controller, in words; exit code 1 if "
+           "configuration or data differ."),
         QStringLiteral("BAG [BAG]"), {noise}};
     // Two bags need no controller; then its options are not missed.
     help.needsController = arguments.contains(QStringLiteral("--host"))
@@ -88,18 +118,17 @@ int runCompare(const QStringList &arguments)
         return *end;
     if (call.words.isEmpty() || call.words.size() > 2)
         return mistake(tr("Say one or two backups."));
-    const auto older =
-        goodBag(bagAt(call.words[0])); // what was written is told by its list; what lies there must be that
+    const auto older = goodFiles(bagAt(call.words[0])); // of a backup, what lies there must be what was written
     if (!older)
         return older.error();
     const bool withNoise = parser.isSet(noise);
     if (call.words.size() == 2) {
-        const auto newer = goodBag(bagAt(call.words[1]));
-        return newer ? printComparison(call, older->files(), newer->files(), withNoise) : newer.error();
+        const auto newer = goodFiles(bagAt(call.words[1]));
+        return newer ? printComparison(call, *older, *newer, withNoise) : newer.error();
     }
     return run(call, [=](Desk &desk) {
         snapshot(desk, [&desk, older, withNoise](const files::FileSet &newer) {
-            desk.finish(printComparison(desk.call(), older->files(), newer, withNoise));
+            desk.finish(printComparison(desk.call(), *older, newer, withNoise));
         });
     });
 }

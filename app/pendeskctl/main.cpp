@@ -31,6 +31,7 @@ constexpr std::array verbs {
     Verb {"files", QT_TRANSLATE_NOOP("pendeskctl", "list, read, send and delete files"), runFiles},
     Verb {"backup", QT_TRANSLATE_NOOP("pendeskctl", "read all files of a controller into a new backup"), runBackup},
     Verb {"verify", QT_TRANSLATE_NOOP("pendeskctl", "tell whether a backup is what was written"), runVerify},
+    Verb {"show", QT_TRANSLATE_NOOP("pendeskctl", "tell what controller files say"), runShow},
     Verb {"compare", QT_TRANSLATE_NOOP("pendeskctl", "compare two backups, or one with the controller"), runCompare},
     Verb {"restore", QT_TRANSLATE_NOOP("pendeskctl", "send back what differs from a backup"), runRestore},
     Verb {"watch", QT_TRANSLATE_NOOP("pendeskctl", "read values again and again"), runWatch},

@@ -18,6 +18,7 @@ int runJobs(const QStringList &arguments);
 int runFiles(const QStringList &arguments);
 int runBackup(const QStringList &arguments);
 int runVerify(const QStringList &arguments);
+int runShow(const QStringList &arguments);
 int runCompare(const QStringList &arguments);
 int runRestore(const QStringList &arguments);
 

@@ -45,6 +45,7 @@ void Backup::run()
     auto writer = BagWriter::create(m_archive.folder(), m_order.info.taken);
     if (!writer)
         return finish(tl::unexpected(writer.error()));
+    m_collection.readWhatBackupsHold(m_order.wantsAllParameters);
     m_writing = std::make_shared<Writing>(Writing {*std::move(lock), *std::move(writer)});
     m_collection.reset();
     m_collection.start();

@@ -13,6 +13,7 @@ struct BackupOrder {
     QString root; ///< The folder of all backups.
     BagInfo info; ///< Without time and results.
     Retention retention {}; ///< Applied afterwards.
+    bool wantsAllParameters = false; ///< ALL.PRM too, which repeats the other parameter files.
 };
 
 /// Reads all files of a controller into a new bag. Done if there is a bag, even if files are missing in it: see info().
@@ -26,6 +27,7 @@ public:
     [[nodiscard]] int filesDone() const { return m_collection.filesDone(); }
     [[nodiscard]] int filesTotal() const { return m_collection.filesTotal(); }
     [[nodiscard]] QByteArray current() const { return m_collection.current(); }
+    [[nodiscard]] qint64 bytesDone() const { return m_collection.bytesDone(); }
     /// Results and time; complete when it is Done.
     [[nodiscard]] const BagInfo &info() const { return m_order.info; }
     /// Of the bag, when it is Done.

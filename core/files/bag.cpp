@@ -39,6 +39,8 @@ Result<std::unique_ptr<BagWriter>> BagWriter::create(const QString &folder, cons
     QDir {writer->path()}.removeRecursively();
     if (!QDir {}.mkpath(writer->path() + QStringLiteral("/data")))
         return local(QStringLiteral("%1: the folder cannot be made").arg(writer->path()));
+    // Addresses, users and passwords of the controller are among the files.
+    QFile::setPermissions(writer->path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return writer;
 }
 

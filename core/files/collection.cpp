@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/collection.h"
 
+#include <algorithm>
+
 using values::Error;
 using values::ErrorKind;
 using values::FileName;
@@ -13,6 +15,21 @@ namespace {
 
 constexpr int maxSilences = 5; ///< After that nobody is there any more.
 
+constexpr QByteArrayView allParameters = "ALL.PRM";
+
+/// The order in which files are read: every transfer is an entry in the controller's log, so the log comes first; what
+/// takes longest comes last (controller files reference §13).
+int readingRank(const FileName &name)
+{
+    constexpr std::array<QByteArrayView, 3> first {"LOGDATA.DAT", "ALMHIST.DAT", "SYSTEM.SYS"};
+    constexpr std::array<QByteArrayView, 6> types {"JBI", "CND", "DAT", "LST", "SYS", "PRM"};
+    const auto early = std::ranges::find(first, QByteArrayView {name.bytes()});
+    if (early != first.end())
+        return int(early - first.begin());
+    const auto type = std::ranges::find(types, name.extension());
+    return int(first.size() + (type - types.begin())) + (QByteArrayView {name.bytes()} == allParameters ? 10 : 0);
+}
+
 } // namespace
 
 QByteArrayList Collection::allPatterns() { return {"*.JBI", "*.DAT", "*.CND", "*.PRM", "*.SYS", "*.LST"}; }
@@ -21,6 +38,12 @@ Collection::Collection(session::FileSession &session, Sink sink, QObject *parent
     : Operation {parent}, m_sink {std::move(sink)}
 {
     use(session);
+}
+
+void Collection::readWhatBackupsHold(bool withAllParameters)
+{
+    m_unlisted = {"PANELBOX.LOG"};
+    m_skipsRepeated = !withAllParameters;
 }
 
 void Collection::interrupt()
@@ -32,8 +55,10 @@ void Collection::interrupt()
 void Collection::run()
 {
     m_toList = m_patterns;
+    m_listed.clear();
     m_toRead.clear();
     m_results.clear();
+    m_bytes = 0;
     m_total = 0;
     m_silences = 0;
     listNext();
@@ -59,11 +84,26 @@ bool Collection::isHopeless(const std::optional<Error> &error)
 
 void Collection::listNext()
 {
-    if (m_toList.isEmpty()) {
-        m_total = int(m_results.size() + qsizetype(m_toRead.size()));
-        return readNext();
-    }
+    if (m_toList.isEmpty())
+        return beginReading();
     list(m_toList.takeFirst());
+}
+
+void Collection::beginReading()
+{
+    const auto single = {FileName::create("RC.PRM"), FileName::create("RS.PRM"), FileName::create("SV.PRM")};
+    const bool hasSingle = std::ranges::all_of(single, [this](const auto &name) { return m_listed.contains(*name); });
+    for (const QByteArray &bytes : m_isListingOnly ? QByteArrayList {} : m_unlisted) {
+        const FileName name = *FileName::create(bytes);
+        if (!m_filter || m_filter(name))
+            m_listed.insert(name);
+    }
+    if (m_skipsRepeated && hasSingle)
+        m_listed.erase(*FileName::create(allParameters));
+    m_toRead = {m_listed.begin(), m_listed.end()};
+    std::ranges::stable_sort(m_toRead, {}, readingRank);
+    m_total = int(m_results.size() + m_toRead.size());
+    readNext();
 }
 
 void Collection::list(const QByteArray &pattern)
@@ -84,7 +124,7 @@ void Collection::takeList(const QByteArray &pattern, const Result<protocol::File
     } else {
         for (const FileName &name : listed->names) {
             if (!m_filter || m_filter(name))
-                m_toRead.insert(name);
+                m_listed.insert(name);
         }
         for (const QByteArray &name : listed->rejected)
             note(name, Error {ErrorKind::BadInput, 0, 0, {}});
@@ -99,11 +139,11 @@ void Collection::readNext()
             m_results << FileResult {name.bytes(), {}};
         m_toRead.clear();
     }
-    if (m_toRead.empty()) {
+    if (m_toRead.isEmpty()) {
         m_current.clear();
         return finish({});
     }
-    read(m_toRead.extract(m_toRead.begin()).value());
+    read(m_toRead.takeFirst());
 }
 
 void Collection::read(const FileName &name)
@@ -121,7 +161,10 @@ void Collection::takeFile(const FileName &name, const Result<QByteArray> &conten
         return;
     if (isSilence())
         return read(name);
-    note(name.bytes(), error);
+    const bool isNotOffered = error && error->kind == ErrorKind::Refused && m_unlisted.contains(name.bytes());
+    m_bytes += content ? content->size() : 0;
+    if (!isNotOffered)
+        note(name.bytes(), error);
     readNext();
 }
 
@@ -133,6 +176,7 @@ Snapshot::Snapshot(session::FileSession &session, QObject *parent)
         },
         parent}
 {
+    readWhatBackupsHold();
 }
 
 FileSet Snapshot::files() const

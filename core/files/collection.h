@@ -28,6 +28,9 @@ public:
 
     void setPatterns(const QByteArrayList &patterns) { m_patterns = patterns; }
     void setFilter(Filter filter) { m_filter = std::move(filter); }
+    /// Also asks for PANELBOX.LOG, which no list holds; refused, it is not offered, which is no failure. Leaves ALL.PRM
+    /// out where the single files that it repeats are listed too, unless it is wanted: it takes a real controller 45 s.
+    void readWhatBackupsHold(bool withAllParameters = false);
     /// Only lists: the names are in results(), and nothing goes to the sink.
     void setListingOnly(bool isListingOnly) { m_isListingOnly = isListingOnly; }
 
@@ -38,6 +41,8 @@ public:
     [[nodiscard]] int filesTotal() const { return m_total; }
     /// The file that is being read; empty while listing.
     [[nodiscard]] QByteArray current() const { return m_current; }
+    /// Of the files that came.
+    [[nodiscard]] qint64 bytesDone() const { return m_bytes; }
 
 protected:
     void run() override;
@@ -47,6 +52,7 @@ private:
     void listNext();
     void list(const QByteArray &pattern);
     void takeList(const QByteArray &pattern, const values::Result<protocol::FileList> &list);
+    void beginReading();
     void readNext();
     void read(const values::FileName &name);
     void takeFile(const values::FileName &name, const values::Result<QByteArray> &content);
@@ -60,7 +66,11 @@ private:
     bool m_isListingOnly = false;
     session::FileSession::TransferId m_transfer = 0;
     QByteArrayList m_toList;
-    std::set<values::FileName> m_toRead;
+    std::set<values::FileName> m_listed;
+    QList<values::FileName> m_toRead; ///< In the order that keeps them true to each other.
+    QByteArrayList m_unlisted;
+    bool m_skipsRepeated = false;
+    qint64 m_bytes = 0;
     QList<FileResult> m_results;
     QByteArray m_current;
     int m_total = 0;

@@ -20,20 +20,31 @@ enum class RestoreStep {
 struct RestoreItem {
     values::FileName name;
     RestoreStep step = RestoreStep::Same;
-    QString reason = {}; ///< In a sentence, where it is not allowed.
+    QString reason = {}; ///< In a sentence, where it is not allowed or needs care.
+    bool needsCare = false; ///< It changes how the robot moves: only sent where a person chose it (reference §13).
 
     [[nodiscard]] bool isSent() const { return step == RestoreStep::New || step == RestoreStep::Changed; }
     bool operator==(const RestoreItem &) const = default;
 };
 
-/// What it would take to bring the files of `bag` back to a controller that has the files of `controller`, by name.
-/// `names` are wanted; all of them if it is empty. A file that the bag does not have is not allowed.
-[[nodiscard]] QList<RestoreItem> planRestore(const FileSet &bag, const FileSet &controller,
-    const QList<values::FileName> &names = {}, const QByteArrayList &jobsInUse = {});
+/// What is wanted of a restore.
+struct RestoreWish {
+    QList<values::FileName> names = {}; ///< All of the bag's if it is empty. What is named needs no more care.
+    QByteArrayList jobsInUse = {};
+    bool isAnotherRobot = false; ///< Then nothing but jobs and names may be sent, and only what is named.
+};
+
+/// What it would take to bring the files of `bag` back to a controller that has the files of `controller`, in the order
+/// in which they are sent: what others refer to first, called jobs before their callers, variables last (controller
+/// files reference §13). Calibration, parameters, ladder, safety files, addresses, logs and counters never go back.
+/// What a controller has reformatted (dates, blanks, line ends) is the same.
+[[nodiscard]] QList<RestoreItem> planRestore(
+    const FileSet &bag, const FileSet &controller, const RestoreWish &wish = {});
 
 /// Carries out a plan that a person has seen: a fresh backup, then the new and the changed files one by one, each read
-/// back. It stops at the first error, and before anything is sent if the controller's files are no longer those of the
-/// plan. Never while a job runs: `guard` is asked before each file.
+/// back. A file that the controller refuses is noted and the others are sent; it stops at any other error, and before
+/// anything is sent if the controller's files are no longer those of the plan. Never while a job runs: `guard` is asked
+/// before each file.
 class Restore : public Operation
 {
     Q_OBJECT
@@ -45,6 +56,8 @@ public:
     [[nodiscard]] const QList<RestoreItem> &plan() const { return m_plan; }
     [[nodiscard]] int filesDone() const { return m_done; }
     [[nodiscard]] int filesTotal() const;
+    /// The files that the controller refused; then it has failed in the end, with the first refusal.
+    [[nodiscard]] const QList<FileResult> &refusals() const { return m_refusals; }
     /// The backup that is made first; its progress while nothing has been sent.
     [[nodiscard]] const Backup &backup() const { return m_backup; }
     /// The file of the plan that is under way, or at which it stopped; empty before and after.
@@ -67,6 +80,7 @@ private:
     [[nodiscard]] bool isStillAsPlanned() const;
     void sendNext();
     void onSent();
+    void goOn();
 
     QPointer<session::FileSession> m_files;
     FileSet m_bag;
@@ -77,6 +91,7 @@ private:
     std::unique_ptr<Upload> m_upload;
     int m_next = 0; ///< Index in the plan.
     int m_done = 0;
+    QList<FileResult> m_refusals;
 };
 
 } // namespace files

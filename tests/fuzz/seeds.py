@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: The Pendesk authors
 """seeds.py FOLDER: writes what the fuzz targets start from, a folder a target, from the golden packets and the demo."""
+import fnmatch
 import json
 import pathlib
+import re
 import sys
 
 HEADER = 32
@@ -37,7 +39,17 @@ def seeds():
         b"\3" + b"a" * 64 + b"  data/A.JBI\n"]
 
 
-for target, contents in seeds():
+def cell_files():
+    """One byte for the type by the registry's order, one for the encoding, one for what is done."""
+    registry = pathlib.Path("core/cellfiles/filetypes.cpp").read_text()
+    patterns = re.findall(r'FileType\s*\{\s*"([^"]+)"', registry)
+    for file in sorted(pathlib.Path("tests/data/cell").rglob("*.*")):
+        fits = [row for row, pattern in enumerate(patterns) if fnmatch.fnmatch(file.name.upper(), pattern)]
+        for row in fits[:1]:
+            yield from (bytes([row, encoding, done]) + file.read_bytes()[:897] for encoding in (0, 2) for done in (0, 1))
+
+
+for target, contents in [*seeds(), ("cellFile", cell_files())]:
     folder = pathlib.Path(sys.argv[1], target)
     folder.mkdir(parents=True, exist_ok=True)
     for number, content in enumerate(contents):

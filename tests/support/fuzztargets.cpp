@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "support/fuzztargets.h"
 
+#include "cell/comparison.h"
+#include "cellfiles/filetypes.h"
 #include "files/bagtext.h"
 #include "files/jobdiff.h"
 #include "files/preflight.h"
@@ -327,6 +329,27 @@ void inform(QByteArrayView data)
     case 1: return isLoaded(source.rest());
     case 2: return isKept(source.rest().toByteArray());
     default: return isManifest(source.rest().toByteArray());
+    }
+}
+
+void cellFile(QByteArrayView data)
+{
+    Source source {data};
+    const cellfiles::FileType &type = source.choose(cellfiles::fileTypes());
+    const TextCodec codec {source.choose(encodings()).encoding};
+    const bool isCompared = source.byte() % 2 != 0;
+    const QByteArray name = QByteArray {type.pattern}.replace('*', "X");
+    const QByteArray file = source.rest().toByteArray();
+    if (isCompared) {
+        const auto found = cell::statementsOf(name, {file.first(file.size() / 2), file}, {}, codec);
+        return require(found.size() <= cell::mostStatements, "a comparison without a bound");
+    }
+    const qsizetype lines = file.count('\n') + 1;
+    for (const cellfiles::Table &table : cellfiles::viewOf(name, file, codec).tables) {
+        for (const cellfiles::Row &row : table.rows) {
+            require(row.line >= 0 && row.line <= lines, "a row from a line that is not there");
+            require(row.cells.size() <= table.columns.size(), "more cells than columns");
+        }
     }
 }
 

@@ -23,4 +23,8 @@ void text(QByteArrayView data);
 /// the first line.
 void inform(QByteArrayView data);
 
+/// Three bytes choose a type of controller file, an encoding, and whether the file that follows is read or compared with
+/// its first half.
+void cellFile(QByteArrayView data);
+
 } // namespace fuzz

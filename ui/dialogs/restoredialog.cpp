@@ -33,6 +33,7 @@ RestoreDialog::RestoreDialog(
     : QDialog(parent),
       m_profile {profile},
       m_plan {plan},
+      m_identity {widgets::sentence({}, ui::Role::Text1)},
       m_items {new QTreeWidget},
       m_state {widgets::sentence({}, ui::Role::Text1)},
       m_go {restoreButton({}, "startRestore")},
@@ -62,9 +63,13 @@ RestoreDialog::RestoreDialog(
     column->setSpacing(ui::space::gap);
     column->addWidget(
         widgets::sentence(tr("A fresh backup of %1 is made first. Then the files below are sent one by one "
-                             "and read back. It stops at the first error.")
+                             "and read back. A refused file is left out; it stops at any other error.")
                               .arg(profile.name),
             ui::Role::Text2));
+    m_identity->setObjectName(QStringLiteral("restoreIdentity"));
+    m_identity->setTextFormat(Qt::PlainText);
+    m_identity->hide();
+    column->addWidget(m_identity);
     column->addWidget(m_items, 1);
     column->addWidget(m_state);
     column->addLayout(buttons);
@@ -87,9 +92,22 @@ void RestoreDialog::addItem(const RestoreItem &item)
     auto *row = new QTreeWidgetItem({name, words[int(item.step)], item.reason});
     row->setToolTip(2, item.reason);
     if (item.isSent())
-        row->setCheckState(0, Qt::Checked);
+        row->setCheckState(0, item.needsCare ? Qt::Unchecked : Qt::Checked);
     m_items->addTopLevelItem(row);
     row->setHidden(item.step == RestoreStep::Same);
+}
+
+void RestoreDialog::showIdentity(const QList<files::IdentityRow> &rows)
+{
+    QStringList lines;
+    for (const files::IdentityRow &row : rows) {
+        if (!row.isSame)
+            lines << tr("%1: the backup is of %2, the controller is %3.").arg(row.title, row.backup, row.controller);
+    }
+    if (files::isAnotherRobot(rows))
+        lines.prepend(QStringLiteral("▲ ") + tr("This is the backup of another robot: nothing of it is sent."));
+    m_identity->setText(lines.join(u'\n'));
+    m_identity->setVisible(!lines.isEmpty());
 }
 
 QList<RestoreItem> RestoreDialog::chosenPlan() const
@@ -156,8 +174,19 @@ void RestoreDialog::onFinished()
     const QString where = current
         ? tr("Stopped at %1.").arg(protocol::TextCodec {m_profile.encoding}.decode(current->bytes()))
         : tr("Nothing was sent.");
-    m_state->setText(QStringList {QStringLiteral("▲ ") + where, why, done}.join(u'\n'));
+    QStringList lines {QStringLiteral("▲ ") + where, why, done};
+    if (const auto refused = m_restore->refusals(); !refused.isEmpty())
+        lines = QStringList {QStringLiteral("▲ ") + refusedText(refused), why, done};
+    m_state->setText(lines.join(u'\n'));
     m_putBack->setVisible(m_restore->canPutBack());
+}
+
+QString RestoreDialog::refusedText(const QList<files::FileResult> &refused) const
+{
+    QStringList names;
+    for (const files::FileResult &result : refused)
+        names << protocol::TextCodec {m_profile.encoding}.decode(result.name);
+    return tr("The controller refused %1; the other files were sent.").arg(names.join(QStringLiteral(", ")));
 }
 
 void RestoreDialog::putBack()

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "files/identity.h"
 #include "files/restore.h"
 #include "settings/profile.h"
 #include <QDialog>
@@ -21,6 +22,8 @@ public:
     RestoreDialog(const settings::Profile &profile, const QDateTime &taken, const QList<files::RestoreItem> &plan,
         QWidget *parent = nullptr);
 
+    /// Holds the backup and the controller beside each other, above the plan.
+    void showIdentity(const QList<files::IdentityRow> &rows);
     /// Begins it and shows how it goes.
     void follow(std::unique_ptr<files::Restore> restore);
     /// Closing it while files are sent cancels that first, and the dialog stays to tell how far it came.
@@ -38,10 +41,12 @@ private:
     void countChosen();
     void showProgress();
     void onFinished();
+    [[nodiscard]] QString refusedText(const QList<files::FileResult> &refused) const;
     void putBack();
 
     settings::Profile m_profile;
     QList<files::RestoreItem> m_plan;
+    QLabel *m_identity;
     QTreeWidget *m_items;
     QLabel *m_state;
     QPushButton *m_go;

@@ -334,8 +334,12 @@ void BackupPage::planRestore()
         session::FileSession *session = m_context.station.controller.files();
         if (!session)
             return;
-        const auto plan = files::planRestore(bag.files(), now, {}, m_orders.jobsInUse());
+        const auto identity =
+            files::compareIdentities(files::identityOf(bag.info(), bag.files()), files::identityOf(order().info, now));
+        const bool isOther = files::isAnotherRobot(identity);
+        const auto plan = files::planRestore(bag.files(), now, {{}, m_orders.jobsInUse(), isOther});
         auto *dialog = new dialogs::RestoreDialog(m_context.station.profile(), bag.info().taken, plan, this);
+        dialog->showIdentity(identity);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &dialogs::RestoreDialog::confirmed, this, [this, bag, dialog](const auto &chosenPlan) {
             if (session::FileSession *files = m_context.station.controller.files())

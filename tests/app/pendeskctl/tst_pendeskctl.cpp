@@ -100,6 +100,8 @@ private Q_SLOTS:
     void writesWithAVerifiedProfile();
     void transfersFiles();
     void backsUpAndRestores();
+    void refusesAnotherRobot();
+    void showsAndComparesInWords();
     void watches();
 };
 
@@ -320,6 +322,52 @@ void TestPendeskctl::backsUpAndRestores()
     QCOMPARE(terminal.run(QStringLiteral("compare %1 %1").arg(bag), false).code, 6);
     files["EMPTY.DAT"] = "";
     QCOMPARE(terminal.run(QStringLiteral("backup DIR/bk")).code, 7);
+}
+
+void TestPendeskctl::refusesAnotherRobot()
+{
+    Terminal terminal;
+    auto &files = terminal.server->memory().files;
+    QCOMPARE(terminal.run(QStringLiteral("backup DIR/bk")).code, 0);
+    const QString bag = terminal.bag();
+    terminal.server->memory().systemInformation[11].model = values::FixedText<16> {"1-06VX88-A0*"};
+    files["HOME.JBI"].replace("VJ=10.00", "VJ=20.00");
+    const auto before = files;
+    const auto writes = [&] {
+        const auto &arrived = terminal.server->arrivals().files;
+        return arrived.count(protocol::Service::LoadFile) + arrived.count(protocol::Service::DeleteFile);
+    };
+    const Ended refused = terminal.run(QStringLiteral("restore --yes ") + bag);
+    QCOMPARE(refused.code, 4);
+    QVERIFY2(refused.err.contains("VIRTUAL-A00") && refused.err.contains("1-06VX88-A0*"), refused.err);
+    QCOMPARE(terminal.run(QStringLiteral("restore --yes %1 ABSO.DAT TOOL.CND VAR.DAT").arg(bag)).code, 4);
+    QCOMPARE(writes(), 0U);
+    QVERIFY(files == before);
+    // One job that an engineer names may be sent.
+    QCOMPARE(terminal.run(QStringLiteral("restore --yes %1 HOME.JBI").arg(bag)).code, 0);
+    QVERIFY(files["HOME.JBI"].contains("VJ=10.00"));
+}
+
+void TestPendeskctl::showsAndComparesInWords()
+{
+    Terminal terminal;
+    const QString cell = QStringLiteral(PENDESK_TEST_DATA "/cell/");
+    const Ended shown =
+        terminal.run(QStringLiteral("show --json %1yrc1000/IPNETCFG.DAT %1yrc1000/TOOL.CND").arg(cell), false);
+    QCOMPARE(shown.code, 0);
+    QVERIFY(!shown.out.contains("10.20.30.40") && !shown.out.contains("A1B2C3D4") && !shown.out.contains("cellbackup"));
+    const auto tools =
+        json(shown).object()[cell + QStringLiteral("yrc1000/TOOL.CND")][u"TOOL.CND"][u"tables"][u"tools"];
+    QCOMPARE(tools[1][u"name"].toString(), QStringLiteral("GRIPPER A"));
+    QCOMPARE(tools[1][u"weight kg"].toDouble(), 4.2);
+    QCOMPARE(terminal.run(QStringLiteral("show %1damaged/EMPTY.DAT").arg(cell), false).code, 0);
+    QCOMPARE(terminal.run(QStringLiteral("show %1none").arg(cell), false).code, 5);
+    const Ended same = terminal.run(QStringLiteral("compare %1yrc1000/FD.PRM %1yrc1000-later/FD.PRM").arg(cell), false);
+    QCOMPARE(same.code, 0); // the check line is another one at every save
+    const Ended later =
+        terminal.run(QStringLiteral("compare %1yrc1000/TOOL.CND %1yrc1000-later/TOOL.CND").arg(cell), false);
+    QCOMPARE(later.code, 1);
+    QVERIFY2(later.out.contains("! Tool 1 “GRIPPER A”: point moved 1.75 mm (Z 163.250 → 165.000)"), later.out);
 }
 
 void TestPendeskctl::watches()

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "core/files/filedesk.h"
 #include "files/durable.h"
+#include "files/identity.h"
 #include "files/restore.h"
 
 #include <QDir>
@@ -147,7 +148,11 @@ private Q_SLOTS:
     void plans();
     void restoresWhatChanged();
     void restoresNothingSpoilt();
-    void stopsAtTheFirstError();
+    void readsInOrder();
+    void goesOnAfterARefusedFile();
+    void plansInOrder();
+    void tellsRobotsApart_data();
+    void tellsRobotsApart();
     void neverRestoresWhileAJobRuns();
     void noticesThatThePlanIsOld();
 };
@@ -454,7 +459,7 @@ void TestBackup::plans()
         {fileName("CHANGED.JBI"), jobText("CHANGED", 1)}, {fileName("OTHER.JBI"), jobText("OTHER")}});
     controller.unread.insert(fileName("UNREAD.JBI"));
     controller.unlisted.insert("PRM");
-    const auto plan = planRestore(bag, controller, {fileName(name)}, {"RUN"});
+    const auto plan = planRestore(bag, controller, {{fileName(name)}, {"RUN"}});
     QCOMPARE(plan.size(), 1);
     QCOMPARE(int(plan[0].step), step);
     QCOMPARE(plan[0].reason.isEmpty(), plan[0].step != RestoreStep::NotAllowed);
@@ -470,7 +475,9 @@ void TestBackup::restoresWhatChanged()
     const FileSet bag = backedUp(desk, root.path());
     desk.files()["A.JBI"] = jobText("A", 5);
     desk.files().erase("C.DAT");
-    Restore restore {desk.session, bag, planFor(desk, bag), orderFor(root.path()), always()};
+    auto plan = planFor(desk, bag);
+    QVERIFY(std::ranges::find(plan, fileName("C.DAT"), &RestoreItem::name)->needsCare); // nobody knows what it is
+    Restore restore {desk.session, bag, plan, orderFor(root.path()), always()};
     QSignalSpy tried {&restore, &Restore::tried};
     const auto loads = desk.server.arrivals().files.count(protocol::Service::LoadFile);
     QCOMPARE(loads, 0U);
@@ -505,7 +512,35 @@ void TestBackup::restoresNothingSpoilt()
     QCOMPARE(desk.files()["A.JBI"], jobText("A", 5));
 }
 
-void TestBackup::stopsAtTheFirstError()
+void TestBackup::readsInOrder()
+{
+    FileDesk desk;
+    const QTemporaryDir root;
+    desk.files() = {{"A.JBI", jobText("A")}, {"ALL.PRM", "/ALL YAS\r\n"}, {"LOGDATA.DAT", "//LOGDATA\r\n"},
+        {"PANELBOX.LOG", "/SYSTEM 8\r\n"}, {"RC.PRM", "//RC YAS\r\n"}, {"RS.PRM", "//RS YAS\r\n"},
+        {"SV.PRM", "//SV YAS\r\n"}, {"TOOL.CND", "//TOOL 0\r\n"}, {"VAR.DAT", "//VAR\r\n"}};
+    const auto read = [&](bool wantsAll) {
+        BackupOrder order = orderFor(root.path());
+        order.wantsAllParameters = wantsAll;
+        Backup backup {desk.session, order};
+        QByteArrayList names;
+        if (FileDesk::finish(backup)) {
+            for (const FileResult &result : backup.info().results)
+                names << result.name;
+        }
+        const auto others = QFile::permissions(backup.path()) & (QFile::ReadGroup | QFile::ReadOther | QFile::ExeOther);
+        return others == QFile::Permissions {} ? names : QByteArrayList {};
+    };
+    const QByteArrayList names {"LOGDATA.DAT", "A.JBI", "TOOL.CND", "VAR.DAT", "RC.PRM", "RS.PRM", "SV.PRM"};
+    QCOMPARE(read(false), names + QByteArrayList {"PANELBOX.LOG"});
+    QCOMPARE(read(true), names + QByteArrayList {"PANELBOX.LOG", "ALL.PRM"});
+    desk.files().erase("PANELBOX.LOG"); // not offered: no failure
+    desk.files().erase("RC.PRM"); // then ALL.PRM is all there is
+    QCOMPARE(
+        read(false), (QByteArrayList {"LOGDATA.DAT", "A.JBI", "TOOL.CND", "VAR.DAT", "RS.PRM", "SV.PRM", "ALL.PRM"}));
+}
+
+void TestBackup::goesOnAfterARefusedFile()
 {
     FileDesk desk;
     const QTemporaryDir root;
@@ -515,22 +550,71 @@ void TestBackup::stopsAtTheFirstError()
         desk.files()[QByteArray(name) + ".JBI"] = jobText(name, 3);
     Restore restore {desk.session, bag, planFor(desk, bag), orderFor(root.path()), always()};
     connect(&restore, &Restore::tried, this, [&](const Upload *upload) {
-        if (upload->name() == fileName("A.JBI")) // from now on the controller mixes up what it was given
-            desk.server.memory().files["B.JBI"] = jobText("B", 4);
-        desk.server.memory().settings.mayOverwriteFiles = false;
+        desk.server.memory().settings.mayOverwriteFiles = upload->name() != fileName("A.JBI"); // B is refused alone
     });
     QVERIFY(FileDesk::finish(restore));
     QVERIFY(restore.state() == OperationState::Failed);
     QVERIFY(restore.error()->kind == ErrorKind::Refused);
-    QCOMPARE(restore.filesDone(), 1);
-    QVERIFY(restore.current() == fileName("B.JBI"));
-    QCOMPARE(desk.files()["C.JBI"], jobText("C", 3));
-    desk.server.memory().settings.mayOverwriteFiles = true;
-    QVERIFY(restore.canPutBack());
-    const auto back = restore.putBack();
-    QVERIFY(FileDesk::finish(*back));
-    QVERIFY(back->readBack() == ReadBack::Identical);
+    QCOMPARE(restore.filesDone(), 2);
+    QCOMPARE(restore.refusals().size(), 1);
+    QCOMPARE(restore.refusals().first().name, QByteArray("B.JBI"));
     QCOMPARE(desk.files()["B.JBI"], jobText("B", 3));
+    QCOMPARE(desk.files()["C.JBI"], jobText("C"));
+}
+
+void TestBackup::plansInOrder()
+{
+    const QByteArray calling = jobText("A").replace("NOP\r\n", "NOP\r\nCALL JOB:Z\r\nCALL JOB:A\r\n");
+    const FileSet bag =
+        fileSetOf({{fileName("VAR.DAT"), "//VAR\r\n"}, {fileName("A.JBI"), calling}, {fileName("Z.JBI"), jobText("Z")},
+            {fileName("IONAME.DAT"), "/IONAME\r\n"}, {fileName("WEAV.CND"), "//WEAV 1\r\n"},
+            {fileName("MACRO.DAT"), "//MACRO1 1\r\n"}, {fileName("TOOL.CND"), "//TOOL 0\r\n"},
+            {fileName("ABSO.DAT"), "//ABSO\r\n"}, {fileName("LOGDATA.DAT"), "//LOGDATA\r\n"}});
+    QByteArrayList sent;
+    QByteArrayList careful;
+    for (const RestoreItem &item : planRestore(bag, fileSetOf({}))) {
+        if (item.isSent())
+            sent << item.name.bytes();
+        if (item.needsCare)
+            careful << item.name.bytes();
+    }
+    QCOMPARE(sent, (QByteArrayList {"TOOL.CND", "WEAV.CND", "IONAME.DAT", "Z.JBI", "A.JBI", "MACRO.DAT", "VAR.DAT"}));
+    QCOMPARE(careful, QByteArrayList {"TOOL.CND"});
+    // Of another robot nothing is sent but jobs and names that a person named.
+    for (const RestoreItem &item : planRestore(bag, fileSetOf({}), {{}, {}, true}))
+        QVERIFY(!item.isSent());
+    const auto named =
+        planRestore(bag, fileSetOf({}), {{fileName("Z.JBI"), fileName("ABSO.DAT"), fileName("VAR.DAT")}, {}, true});
+    QCOMPARE(int(std::ranges::count_if(named, &RestoreItem::isSent)), 1);
+    QVERIFY(std::ranges::find(named, fileName("Z.JBI"), &RestoreItem::name)->isSent());
+}
+
+void TestBackup::tellsRobotsApart_data()
+{
+    QTest::addColumn<QString>("model");
+    QTest::addColumn<QByteArray>("system");
+    QTest::addColumn<bool>("isAnother");
+    const QByteArray same = "/SYSTEM 8\r\n//SYSTEM NO : YAS4.50\r\n//ROBOT NAME\r\nR1 : R10  0011_1111\r\n";
+    QTest::newRow("the same") << QStringLiteral("1-06VXH12-A0*") << same << false;
+    QTest::newRow("another model") << QStringLiteral("1-06VX88-A0*") << same << true;
+    QTest::newRow("another arm") << QStringLiteral("1-06VXH12-A0*") << QByteArray {same}.replace("R10", "R20") << true;
+    QTest::newRow("more axes") << QStringLiteral("1-06VXH12-A0*") << QByteArray {same}.replace("0011", "0111") << true;
+    QTest::newRow("newer software") << QStringLiteral("1-06VXH12-A0*") << QByteArray {same}.replace("4.50", "4.60")
+                                    << false;
+    QTest::newRow("nothing known") << QString {} << QByteArray {} << false;
+}
+
+void TestBackup::tellsRobotsApart()
+{
+    QFETCH(QString, model);
+    QFETCH(QByteArray, system);
+    BagInfo info;
+    info.model = QStringLiteral("1-06VXH12-A0*");
+    const QByteArray own = "/SYSTEM 8\r\n//SYSTEM NO : YAS4.50\r\n//ROBOT NAME\r\nR1 : R10  0011_1111\r\n";
+    const Identity backup = identityOf(info, fileSetOf({{fileName("SYSTEM.SYS"), own}}));
+    info.model = model;
+    const auto rows = compareIdentities(backup, identityOf(info, fileSetOf({{fileName("SYSTEM.SYS"), system}})));
+    QTEST(isAnotherRobot(rows), "isAnother");
 }
 
 void TestBackup::neverRestoresWhileAJobRuns()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "cellfiles/filetypes.h"
 #include "support/fuzztargets.h"
 #include "support/golden.h"
 #include "virtualcontroller/memory.h"
+#include <QDirIterator>
 #include <QTest>
 #include <random>
 
@@ -89,6 +91,24 @@ Seeds jobs()
     return jobs;
 }
 
+/// The small ones among the files of real forms, each with the bytes that choose its type.
+Seeds cellFiles()
+{
+    constexpr qint64 small = 900;
+    Seeds seeds;
+    QDirIterator files {QStringLiteral(PENDESK_TEST_DATA "/cell"), QDir::Files, QDirIterator::Subdirectories};
+    while (files.hasNext()) {
+        QFile file {files.next()};
+        if (file.size() > small || !file.open(QIODevice::ReadOnly))
+            continue;
+        const auto &type = cellfiles::fileTypeOf(files.fileName().toLatin1());
+        const auto row = char(&type - cellfiles::fileTypes().data());
+        const QByteArray content = file.readAll();
+        seeds << QByteArray {1, row} + '\0' + '\0' + content << QByteArray {1, row} + '\2' + '\1' + content;
+    }
+    return seeds;
+}
+
 } // namespace
 
 Q_DECLARE_METATYPE(Target)
@@ -103,6 +123,7 @@ void MutationsTest::nothingBreaks_data()
     QTest::newRow("file list") << Target {fuzz::fileList} << payloads();
     QTest::newRow("text") << Target {fuzz::text} << payloads();
     QTest::newRow("INFORM") << Target {fuzz::inform} << jobs();
+    QTest::newRow("cell files") << Target {fuzz::cellFile} << cellFiles();
 }
 
 void MutationsTest::nothingBreaks()

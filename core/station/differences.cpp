@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "station/differences.h"
+
+#include "files/jobdiff.h"
+#include "files/preflight.h"
+
+using cellfiles::FileClass;
+using files::Change;
+using files::FileSet;
+using values::FileName;
+
+namespace station {
+
+namespace {
+
+struct Sets {
+    const FileSet &older;
+    const FileSet &newer;
+    const files::NoiseFilter &noise;
+    const protocol::TextCodec &codec;
+};
+
+cell::Statements jobEdits(const cell::Versions &versions, const Sets &sets)
+{
+    cell::Statements statements;
+    for (const files::JobEdit &edit :
+        diffJobs(files::parseJob(versions.older), files::parseJob(versions.newer), sets.noise))
+        statements << cell::Statement {explain(edit, sets.codec)};
+    return statements;
+}
+
+/// Reads both versions of a changed file and puts the difference into words. What the words call noise is noise.
+void explainChange(FileDifference &difference, const Sets &sets, const cell::Knowledge &knowledge)
+{
+    const auto older = sets.older.content(difference.name);
+    const auto newer = sets.newer.content(difference.name);
+    if (!older || !newer) {
+        difference.change = Change::Unread;
+        return;
+    }
+    const cell::Versions versions {*older, *newer};
+    if (files::isJobFile(difference.name)) {
+        difference.statements = jobEdits(versions, sets);
+        return;
+    }
+    difference.statements = cell::statementsOf(difference.name.bytes(), versions, knowledge, sets.codec);
+    if (!cell::isDifference(difference.statements))
+        difference.change = Change::OnlyNoise;
+}
+
+bool isNoiseClass(FileClass fileClass) { return fileClass == FileClass::Log || fileClass == FileClass::Counter; }
+
+/// ALL.PRM repeats the other parameter files: what they said already is not said again.
+void dropRepeated(QList<FileDifference> &differences, bool hasSingle)
+{
+    const auto all = std::ranges::find(
+        differences, QByteArray {"ALL.PRM"}, [](const FileDifference &difference) { return difference.name.bytes(); });
+    if (all == differences.end())
+        return;
+    if (all->change == Change::New || all->change == Change::Gone)
+        all->change = hasSingle ? Change::OnlyNoise : all->change;
+    if (all->change != Change::Changed)
+        return;
+    QSet<QString> said;
+    for (const FileDifference &difference : differences) {
+        for (const cell::Statement &statement :
+            difference.name == all->name ? cell::Statements {} : difference.statements)
+            said.insert(statement.text);
+    }
+    all->statements.removeIf([&](const cell::Statement &statement) { return said.contains(statement.text); });
+    if (all->statements.isEmpty())
+        all->change = Change::OnlyNoise;
+}
+
+} // namespace
+
+bool FileDifference::isSafety() const { return std::ranges::any_of(statements, &cell::Statement::isSafety); }
+
+QList<FileDifference> differencesOf(
+    const FileSet &older, const FileSet &newer, const files::NoiseFilter &noise, const protocol::TextCodec &codec)
+{
+    const Sets sets {older, newer, noise, codec};
+    const cell::Knowledge knowledge = knowledgeOf(newer, codec);
+    QList<FileDifference> differences;
+    for (const files::FileChange &change : compare(older, newer, noise)) {
+        if (change.change == Change::Same)
+            continue;
+        FileDifference difference {change.name, change.change, cellfiles::fileTypeOf(change.name.bytes()).fileClass};
+        if (change.change == Change::Changed)
+            explainChange(difference, sets, knowledge);
+        else if (change.change != Change::Unread && isNoiseClass(difference.fileClass))
+            difference.change = Change::OnlyNoise;
+        differences << difference;
+    }
+    const auto single = FileName::create("RC.PRM");
+    dropRepeated(differences, older.hashes.contains(*single) && newer.hashes.contains(*single));
+    std::ranges::stable_sort(differences, std::ranges::greater {}, &FileDifference::isSafety);
+    return differences;
+}
+
+int foldedCount(const QList<FileDifference> &differences, FileClass fileClass)
+{
+    return int(std::ranges::count_if(differences, [fileClass](const FileDifference &difference) {
+        return !difference.counts() && difference.fileClass == fileClass;
+    }));
+}
+
+cell::Knowledge knowledgeOf(const FileSet &set, const protocol::TextCodec &codec)
+{
+    QByteArrayList names;
+    for (const auto &[name, hash] : set.hashes)
+        names << name.bytes();
+    const auto read = [&set](const QByteArray &bytes) -> std::optional<QByteArray> {
+        const auto name = FileName::create(bytes);
+        const auto content = name && set.hashes.contains(*name)
+            ? set.content(*name)
+            : values::Result<QByteArray> {values::failure(values::ErrorKind::LocalFile)};
+        return content ? std::optional {*content} : std::nullopt;
+    };
+    return cell::knowledgeOf(names, read, codec);
+}
+
+} // namespace station
