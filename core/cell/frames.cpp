@@ -3,7 +3,6 @@
 #include "cell/comparisons.h"
 #include "cellfiles/view.h"
 #include "cellfiles/views.h"
-#include <cmath>
 
 /// Tools, user frames and areas in words.
 using namespace cellfiles;
@@ -63,6 +62,8 @@ void compareCentre(const Vector3 &older, const Vector3 &newer, const QString &wh
 
 QStringList toolChanges(const Tool &older, const Tool &newer)
 {
+    if (!older.isWhole || !newer.isWhole)
+        return {Sentences::tr("could not be read in one of the files")};
     QStringList parts;
     if (older.name != newer.name)
         parts << Sentences::tr("name %1").arg(change(older.name, newer.name));

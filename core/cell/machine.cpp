@@ -15,44 +15,41 @@ namespace cell {
 
 namespace {
 
-/// Which limit of which robot a parameter is: "Robot 1 soft limit L +"; empty for others.
-QString limitChange(const QByteArray &section, int number, qint32 older, qint32 newer, const Knowledge &knowledge)
+/// "robot 1 limit S + 170.0 → 120.0 deg"; empty for parameters that are no limits.
+QString limitChange(const LimitPlace &place, qint32 older, qint32 newer, const Knowledge &knowledge)
 {
-    const bool isSoft = section.startsWith("S1C");
-    if ((!isSoft && !section.startsWith("RC")) || !section.endsWith('G'))
+    if (place.robot < 1 || place.robot > Knowledge::robots)
         return {};
-    const int robot = section.mid(isSoft ? 3 : 2).chopped(1).toInt();
-    if (robot < 1 || robot > Knowledge::robots)
+    const Axis &axis = knowledge.arms[std::size_t(place.robot) - 1].axes[std::size_t(place.axis)];
+    if (!axis.exists())
         return {};
-    const Arm &arm = knowledge.arms[std::size_t(robot) - 1];
-    // Blocks of ten on the YRC1000, of eight before: the limits themselves tell which (reference §4).
-    for (const int first : isSoft ? std::array {800, 400} : std::array {1030, 924}) {
-        const int width = first >= 800 && first != 924 ? 10 : 8;
-        const int axis = (number - first) % width;
-        const bool isUpper = number - first < width;
-        if (number < first || number >= first + 2 * width || axis >= Arm::axisCount
-            || !arm.axes[std::size_t(axis)].exists())
-            continue;
-        const auto degrees = [&](qint32 pulses) {
-            return QString::number(arm.axes[std::size_t(axis)].degrees(pulses), 'f', 1);
-        };
-        return Sentences::tr("robot %1 limit %2 %3 %4 deg")
-            .arg(robot)
-            .arg(axisName(axis), isUpper ? QStringLiteral("+") : QStringLiteral("-"),
-                change(degrees(older), degrees(newer)));
-    }
-    return {};
+    const auto degrees = [&](qint32 pulses) { return QString::number(axis.degrees(pulses), 'f', 1); };
+    return Sentences::tr("robot %1 limit %2 %3 %4 deg")
+        .arg(place.robot)
+        .arg(axisName(place.axis), place.isUpper ? QStringLiteral("+") : QStringLiteral("-"),
+            change(degrees(older), degrees(newer)));
 }
 
-QString parameterText(const QByteArray &section, int number, qint32 older, qint32 newer, const Knowledge &knowledge)
+/// One parameter that has another value.
+struct ParameterChange {
+    QByteArray section;
+    int number;
+    std::size_t size; ///< Of the section.
+    qint32 older;
+    qint32 newer;
+};
+
+QString parameterText(const ParameterChange &edit, const Knowledge &knowledge)
 {
-    const ParameterMeaning *known = findMeaning(section, number);
+    const ParameterMeaning *known = findMeaning(edit.section, edit.number);
     const bool isSecret = known && known->isSecret;
-    const QString values = isSecret ? Sentences::tr("changed") : change(QString::number(older), QString::number(newer));
-    QString meaning = limitChange(section, number, older, newer, knowledge);
+    const QString values =
+        isSecret ? Sentences::tr("changed") : change(QString::number(edit.older), QString::number(edit.newer));
+    const auto limit = limitPlace(edit.section, edit.number, edit.size);
+    QString meaning = limit ? limitChange(*limit, edit.older, edit.newer, knowledge) : QString {};
     if (meaning.isEmpty())
-        meaning = known ? meaningOf(section, number) : Sentences::tr("meaning not known");
-    return QStringLiteral("%1 %2 (%3).").arg(parameterName(section, number), values, meaning);
+        meaning = known ? meaningOf(edit.section, edit.number) : Sentences::tr("meaning not known");
+    return QStringLiteral("%1 %2 (%3).").arg(parameterName(edit.section, edit.number), values, meaning);
 }
 
 void compareSection(const QByteArray &name, const ParameterSection &older, const ParameterSection &newer,
@@ -63,7 +60,8 @@ void compareSection(const QByteArray &name, const ParameterSection &older, const
         const auto before = older.values[number];
         const auto after = newer.values[number];
         if (before && after && *before != *after)
-            statements << Statement {parameterText(name, int(number), *before, *after, knowledge), true};
+            statements << Statement {
+                parameterText({name, int(number), newer.values.size(), *before, *after}, knowledge), true};
     }
     if (older.values.size() != newer.values.size())
         statements << Statement {

@@ -27,6 +27,19 @@ constexpr ArmLayout blocksOfEight {924, 932, 956, 972, 980, 24};
 constexpr std::size_t valuesOfTen = 3000; ///< RCnG has 300 rows on the YRC1000, 170 before.
 constexpr std::array linkPlaces {1, 3, 5, 8, 12};
 
+/// Where the soft limits of a user stand in S1CnG: upper ones, then lower ones.
+constexpr int softLimitsOfTen = 800;
+constexpr int softLimitsOfEight = 400;
+constexpr std::size_t softValuesOfTen = 2800; ///< 280 rows on the YRC1000, at most 120 before.
+
+/// "RC1G" or "S1C1G": the robot's number behind `prefix`.
+std::optional<int> robotOf(const QByteArray &section, QByteArrayView prefix)
+{
+    if (!section.startsWith(prefix) || !section.endsWith('G'))
+        return std::nullopt;
+    return wordFrom(QByteArrayView {section}.sliced(prefix.size()).chopped(1));
+}
+
 /// A place and an orientation, the one after the other.
 struct Placement {
     Rotation rotation;
@@ -130,6 +143,20 @@ Arm armOf(const Parameters &parameters, int number)
     for (std::size_t link = 0; link < arm.links.size(); ++link)
         arm.links[link] = double(at(linkPlaces[link])) / 1000;
     return arm;
+}
+
+std::optional<LimitPlace> limitPlace(const QByteArray &section, int number, std::size_t size)
+{
+    const auto arm = robotOf(section, "RC");
+    const auto robot = arm ? arm : robotOf(section, "S1C");
+    const bool isOfTen = size >= (arm ? valuesOfTen : softValuesOfTen);
+    const int width = isOfTen ? 10 : 8;
+    const int first =
+        arm ? (isOfTen ? blocksOfTen : blocksOfEight).upperLimit : (isOfTen ? softLimitsOfTen : softLimitsOfEight);
+    const int place = number - first;
+    if (!robot || place < 0 || place >= 2 * width || place % width >= Arm::axisCount)
+        return std::nullopt;
+    return LimitPlace {*robot, place % width, place < width};
 }
 
 QString axisName(int axis) { return axis >= 0 && axis < 7 ? QString {u"SLURBTE"[axis]} : QString::number(axis + 1); }

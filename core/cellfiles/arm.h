@@ -41,6 +41,14 @@ struct Arm {
 
 /// The arm of robot `number` (from 1) by RC.PRM and SV.PRM; one without axes where they do not say it.
 [[nodiscard]] Arm armOf(const Parameters &parameters, int number);
+/// Which limit a parameter is: those of the arm in RCnG, or the narrower ones that a user may set in S1CnG.
+struct LimitPlace {
+    int robot = 1;
+    int axis = 0;
+    bool isUpper = true;
+};
+/// nullopt if parameter `number` of `section`, which has `size` values, is no limit.
+[[nodiscard]] std::optional<LimitPlace> limitPlace(const QByteArray &section, int number, std::size_t size);
 /// "S", "L" …; the seventh is E.
 [[nodiscard]] QString axisName(int axis);
 /// A frame of a file in mm and degrees.

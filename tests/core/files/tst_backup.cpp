@@ -533,7 +533,7 @@ void TestBackup::readsInOrder()
     };
     const QByteArrayList names {"LOGDATA.DAT", "A.JBI", "TOOL.CND", "VAR.DAT", "RC.PRM", "RS.PRM", "SV.PRM"};
     QCOMPARE(read(false), names + QByteArrayList {"PANELBOX.LOG"});
-    QCOMPARE(read(true), names + QByteArrayList {"PANELBOX.LOG", "ALL.PRM"});
+    QCOMPARE(read(true), (names + QByteArrayList {"PANELBOX.LOG", "ALL.PRM"}));
     desk.files().erase("PANELBOX.LOG"); // not offered: no failure
     desk.files().erase("RC.PRM"); // then ALL.PRM is all there is
     QCOMPARE(

@@ -248,6 +248,11 @@ void TestFilePages::restores()
     QVERIFY(dialog);
     desk.picture(dialog, "restoreplan");
     QSignalSpy recorded {&desk.window.view().orders(), &robot::Orders::recorded};
+    const auto tools =
+        find<QTreeWidget>(dialog, "restorePlan")->findItems(QStringLiteral("TOOL.CND"), Qt::MatchExactly);
+    QCOMPARE(tools.size(), 1);
+    QCOMPARE(tools.first()->checkState(0), Qt::Unchecked); // it changes how the robot moves: a person chooses it
+    tools.first()->setCheckState(0, Qt::Checked);
     QTest::mouseClick(find<QPushButton>(dialog, "startRestore"), Qt::LeftButton);
     const auto *state = find<QLabel>(dialog, "restoreState");
     (void)QTest::qWaitFor([state] { return state->text().contains(QStringLiteral("2 file")); }, 20000);

@@ -7,6 +7,7 @@
 #include "ui/widgets/flow.h"
 #include "ui/widgets/tickbox.h"
 #include <QTreeWidget>
+#include <QtConcurrent>
 
 using files::Change;
 using values::FileName;
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int nameRole = Qt::UserRole;
 
-/// Empty for what is not shown.
 QString changeWord(Change change)
 {
     switch (change) {
@@ -25,8 +25,8 @@ QString changeWord(Change change)
     case Change::New: return ComparisonCard::tr("+ new");
     case Change::Gone: return ComparisonCard::tr("− gone");
     case Change::Unread: return ComparisonCard::tr("▲ not read, nobody knows");
-    case Change::Same:
-    case Change::OnlyNoise: break;
+    case Change::OnlyNoise: return ComparisonCard::tr("not counted");
+    case Change::Same: break;
     }
     return {};
 }
@@ -47,6 +47,9 @@ ComparisonCard::ComparisonCard(const protocol::TextCodec &codec, QWidget *parent
     body()->addWidget(m_files, 2);
     body()->addWidget(m_diff, 3);
     m_diff->showSentence(tr("Choose a backup and compare it."));
+    m_files->setRootIsDecorated(true);
+    m_files->setWordWrap(true);
+    connect(&m_comparing, &QFutureWatcherBase::finished, this, [this] { showDifferences(m_comparing.result()); });
     connect(m_files, &QTreeWidget::currentItemChanged, this, &ComparisonCard::showFile);
 }
 
@@ -87,15 +90,46 @@ void ComparisonCard::showSets(const files::FileSet &older, const files::FileSet 
     m_files->clear();
     if (!older.content || !newer.content)
         return;
-    for (const files::FileChange &change : compare(older, newer, noise())) {
-        const QString word = changeWord(change.change);
-        if (word.isEmpty())
+    m_diff->showSentence(tr("The files are being compared…"));
+    m_comparing.setFuture(QtConcurrent::run(
+        [older, newer, noise = noise(), codec = m_codec] { return differencesOf(older, newer, noise, codec); }));
+}
+
+QTreeWidgetItem *ComparisonCard::rowOf(const station::FileDifference &difference) const
+{
+    auto *row = new QTreeWidgetItem({m_codec.decode(difference.name.bytes()), changeWord(difference.change)});
+    row->setData(0, nameRole, difference.name.bytes());
+    for (const cell::Statement &statement : difference.statements) {
+        auto *line = new QTreeWidgetItem({(statement.isSafety ? QStringLiteral("▲ ") : QString()) + statement.text});
+        line->setData(0, nameRole, difference.name.bytes());
+        line->setToolTip(0, statement.text);
+        line->setFirstColumnSpanned(true);
+        row->addChild(line);
+    }
+    return row;
+}
+
+void ComparisonCard::showDifferences(const QList<station::FileDifference> &differences)
+{
+    m_files->clear();
+    QList<QTreeWidgetItem *> folded;
+    for (const station::FileDifference &difference : differences) {
+        QTreeWidgetItem *row = rowOf(difference);
+        if (!difference.counts()) {
+            folded << row;
             continue;
-        auto *item = new QTreeWidgetItem({m_codec.decode(change.name.bytes()), word});
-        item->setData(0, nameRole, change.name.bytes());
-        m_files->addTopLevelItem(item);
+        }
+        m_files->addTopLevelItem(row);
+        row->setExpanded(true);
     }
     const int found = m_files->topLevelItemCount();
+    if (!folded.isEmpty()) {
+        const int count = int(folded.size());
+        auto *rest = new QTreeWidgetItem({tr("Not counted: %n counter(s), log(s) and the like", nullptr, count)});
+        rest->setFirstColumnSpanned(true);
+        rest->addChildren(folded);
+        m_files->addTopLevelItem(rest);
+    }
     setNote(tr("%n file(s) differ", nullptr, found));
     m_diff->showSentence(found > 0 ? tr("Choose a file above.") : tr("Nothing differs."));
     if (found > 0)

@@ -2,12 +2,13 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/compare.h"
-#include "protocol/text.h"
+#include "station/differences.h"
 #include "ui/widgets/card.h"
+#include <QFutureWatcher>
 
 class QCheckBox;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace widgets {
 class DiffView;
@@ -16,7 +17,8 @@ class Flow;
 
 namespace pages {
 
-/// What differs between two sets of files: which files, and what in the chosen one. What is noise can be chosen.
+/// What differs between two sets of files: which files, in words below each, and line by line in the chosen one. What
+/// may move the robot elsewhere comes first; counters, logs and the like are folded. What is noise can be chosen.
 class ComparisonCard : public widgets::Card
 {
     Q_OBJECT
@@ -33,11 +35,14 @@ public:
 private:
     [[nodiscard]] QLayout *noiseRules();
     [[nodiscard]] files::NoiseFilter noise() const;
+    void showDifferences(const QList<station::FileDifference> &differences);
+    [[nodiscard]] QTreeWidgetItem *rowOf(const station::FileDifference &difference) const;
     void showFile();
 
     protocol::TextCodec m_codec;
     files::FileSet m_older;
     files::FileSet m_newer;
+    QFutureWatcher<QList<station::FileDifference>> m_comparing;
     widgets::Flow *m_tools;
     QList<QCheckBox *> m_noise;
     QTreeWidget *m_files;
