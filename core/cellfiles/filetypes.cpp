@@ -175,6 +175,18 @@ bool matches(QByteArrayView pattern, QByteArrayView name)
         && isSame(name.last(end.size()), end);
 }
 
+/// A file that was given another name is known by its first header: "//VAR", "/IONAME".
+const FileType &typeByContent(QByteArrayView file)
+{
+    const qsizetype glance = 64;
+    Warnings ignored;
+    const Outline outline = outlineOf(file.first(std::min(file.size(), glance)), ignored);
+    const QByteArray stem = outline.blocks.empty() ? QByteArray {} : outline.blocks.front().word.toByteArray() + '.';
+    const auto found = std::ranges::find_if(
+        types, [&](const FileType &type) { return stem.size() > 1 && QByteArrayView {type.pattern}.startsWith(stem); });
+    return found == types.end() ? types.back() : *found;
+}
+
 } // namespace
 
 std::span<const FileType> fileTypes() { return types; }
@@ -193,7 +205,8 @@ bool isText(QByteArrayView file)
 
 View viewOf(QByteArrayView name, QByteArrayView file, const protocol::TextCodec &codec)
 {
-    const FileType &type = fileTypeOf(name);
+    const FileType &named = fileTypeOf(name);
+    const FileType &type = &named == &types.back() ? typeByContent(file) : named;
     return type.view && isText(file) ? type.view(file, codec) : View {};
 }
 

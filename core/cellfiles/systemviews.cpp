@@ -90,7 +90,7 @@ View parameterView(QByteArrayView file, const Codec &)
     Table table {QT_TRANSLATE_NOOP("cellfiles::Sentences", "parameters"),
         {{QT_TRANSLATE_NOOP("cellfiles::Sentences", "parameter")},
             {QT_TRANSLATE_NOOP("cellfiles::Sentences", "value"), true},
-            {QT_TRANSLATE_NOOP("cellfiles::Sentences", "meaning")}}};
+            {QT_TRANSLATE_NOOP("cellfiles::Sentences", "meaning"), false, true}}};
     for (auto section = parsed.value.sections.begin(); section != parsed.value.sections.end(); ++section) {
         for (int number = 0; std::size_t(number) < section->values.size(); ++number) {
             const auto value = section->at(number);

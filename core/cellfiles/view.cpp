@@ -34,8 +34,10 @@ QString mask() { return QStringLiteral("•••"); }
 QStringList shownCells(const Table &table, const Row &row)
 {
     QStringList cells = row.cells;
-    for (qsizetype column = table.keys; row.isSecret && column < cells.size(); ++column)
-        cells[column] = cells[column].isEmpty() ? QString {} : mask();
+    for (qsizetype column = table.keys; row.isSecret && column < cells.size(); ++column) {
+        if (!table.columns[column].isPublic && !cells[column].isEmpty())
+            cells[column] = mask();
+    }
     return cells;
 }
 

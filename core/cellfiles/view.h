@@ -12,11 +12,12 @@ namespace cellfiles {
 struct Column {
     const char *title; ///< For title(); as it stands it is the key in JSON.
     bool isNumber = false;
+    bool isPublic = false; ///< Shown of a secret row too.
 };
 struct Row {
     QStringList cells;
     int line = 0; ///< Where it stands in the file, from 1; 0 if nowhere in particular.
-    bool isSecret = false; ///< Everything but the key is masked wherever it is shown (reference §15).
+    bool isSecret = false; ///< All but the key and public columns is masked wherever it is shown (reference §15).
 };
 struct Table {
     const char *title; ///< For title(); as it stands it is the key in JSON.

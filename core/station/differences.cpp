@@ -14,6 +14,38 @@ namespace station {
 
 namespace {
 
+std::optional<QByteArray> contentOf(const FileSet &set, const QByteArray &bytes)
+{
+    const auto name = FileName::create(bytes);
+    if (!name || !set.hashes.contains(*name))
+        return std::nullopt;
+    const auto content = set.content(*name);
+    return content ? std::optional {*content} : std::nullopt;
+}
+
+QByteArrayList namesOf(const FileSet &set)
+{
+    QByteArrayList names;
+    for (const auto &[name, hash] : set.hashes)
+        names << name.bytes();
+    return names;
+}
+
+/// What the newer set does not say of names, parameters and jobs, the older one does.
+cell::Knowledge joinedKnowledge(const FileSet &older, const FileSet &newer, const protocol::TextCodec &codec)
+{
+    QByteArrayList names = namesOf(newer);
+    for (const QByteArray &name : namesOf(older)) {
+        if (!newer.hashes.contains(*FileName::create(name)))
+            names << name;
+    }
+    const auto read = [&](const QByteArray &name) {
+        auto content = contentOf(newer, name);
+        return content ? content : contentOf(older, name);
+    };
+    return cell::knowledgeOf(names, read, codec);
+}
+
 struct Sets {
     const FileSet &older;
     const FileSet &newer;
@@ -81,7 +113,7 @@ QList<FileDifference> differencesOf(
     const FileSet &older, const FileSet &newer, const files::NoiseFilter &noise, const protocol::TextCodec &codec)
 {
     const Sets sets {older, newer, noise, codec};
-    const cell::Knowledge knowledge = knowledgeOf(newer, codec);
+    const cell::Knowledge knowledge = joinedKnowledge(older, newer, codec);
     QList<FileDifference> differences;
     for (const files::FileChange &change : compare(older, newer, noise)) {
         if (change.change == Change::Same)
@@ -108,17 +140,8 @@ int foldedCount(const QList<FileDifference> &differences, FileClass fileClass)
 
 cell::Knowledge knowledgeOf(const FileSet &set, const protocol::TextCodec &codec)
 {
-    QByteArrayList names;
-    for (const auto &[name, hash] : set.hashes)
-        names << name.bytes();
-    const auto read = [&set](const QByteArray &bytes) -> std::optional<QByteArray> {
-        const auto name = FileName::create(bytes);
-        const auto content = name && set.hashes.contains(*name)
-            ? set.content(*name)
-            : values::Result<QByteArray> {values::failure(values::ErrorKind::LocalFile)};
-        return content ? std::optional {*content} : std::nullopt;
-    };
-    return cell::knowledgeOf(names, read, codec);
+    return cell::knowledgeOf(
+        namesOf(set), [&set](const QByteArray &name) { return contentOf(set, name); }, codec);
 }
 
 } // namespace station

@@ -114,6 +114,7 @@ void FileTypesTest::cells_data()
     row("yrc1000/RS.PRM", {text("RS022"), text("1")});
     row("yrc1000/CIOPRG.LST", {text("14"), text("2"), text("AND #20017")});
     row("yrc1000/CIOPRG.LST", {text("ALARM1"), text("9127"), text("GRIPPER NOT REFERENCED")});
+    row("damaged/VAR-realforms.DAT", {text("R002"), text("3.402823E+38")}); // known by its first header
     row("yrc1000/PANELBOX.LOG", {text("26"), text("PARALLEL START INSTRUCTION"), text("7")});
 }
 
