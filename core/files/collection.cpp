@@ -102,7 +102,8 @@ void Collection::beginReading()
         m_listed.erase(*FileName::create(allParameters));
     m_toRead = {m_listed.begin(), m_listed.end()};
     std::ranges::stable_sort(m_toRead, {}, readingRank);
-    m_total = int(m_results.size() + m_toRead.size());
+    const auto isListed = [this](const FileName &name) { return !m_unlisted.contains(name.bytes()); };
+    m_total = int(m_results.size() + std::ranges::count_if(m_toRead, isListed));
     readNext();
 }
 
@@ -163,8 +164,10 @@ void Collection::takeFile(const FileName &name, const Result<QByteArray> &conten
         return read(name);
     const bool isNotOffered = error && error->kind == ErrorKind::Refused && m_unlisted.contains(name.bytes());
     m_bytes += content ? content->size() : 0;
-    if (!isNotOffered)
+    if (!isNotOffered) {
+        m_total += m_unlisted.contains(name.bytes()) ? 1 : 0;
         note(name.bytes(), error);
+    }
     readNext();
 }
 

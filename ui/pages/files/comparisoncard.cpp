@@ -91,8 +91,9 @@ void ComparisonCard::showSets(const files::FileSet &older, const files::FileSet 
     if (!older.content || !newer.content)
         return;
     m_diff->showSentence(tr("The files are being compared…"));
-    m_comparing.setFuture(QtConcurrent::run(
-        [older, newer, noise = noise(), codec = m_codec] { return differencesOf(older, newer, noise, codec); }));
+    m_comparing.setFuture(QtConcurrent::run([older, newer, noise = noise(), codec = m_codec] {
+        return station::differencesOf(older, newer, noise, codec);
+    }));
 }
 
 QTreeWidgetItem *ComparisonCard::rowOf(const station::FileDifference &difference) const
