@@ -78,7 +78,7 @@ int runCompare(const QStringList &arguments)
     const QCommandLineOption noise {
         QStringLiteral("noise"), tr("Count dates, counters, blanks and line ends as differences too.")};
     VerbHelp help {tr("Compares two backups, or a backup with the controller; exit code 1 if they differ."),
-        QStringLiteral("BAG [BAG]"), {noise}};
+        QStringLiteral("BAG [BAG]"), {noise}, true, 1, 2};
     // Two bags need no controller; then its options are not missed.
     help.needsController = arguments.contains(QStringLiteral("--host"))
         || arguments.contains(QStringLiteral("--profile"))
@@ -86,8 +86,6 @@ int runCompare(const QStringList &arguments)
         || arguments.contains(QStringLiteral("--help")) || plain.size() < 2;
     if (const auto end = read(call, parser, help, arguments))
         return *end;
-    if (call.words.isEmpty() || call.words.size() > 2)
-        return mistake(tr("Say one or two backups."));
     const auto older =
         goodBag(bagAt(call.words[0])); // what was written is told by its list; what lies there must be that
     if (!older)

@@ -90,11 +90,9 @@ int runRestore(const QStringList &arguments)
     const VerbHelp help {
         tr("Sends back what differs from a backup: first a fresh backup beside it, then file by file, each "
            "read back. Stops at the first error; never while a job runs."),
-        QStringLiteral("BAG [NAME…]"), {dryRun}};
+        QStringLiteral("BAG [NAME…]"), {dryRun}, true, 1, anyNumber};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
-    if (call.words.isEmpty())
-        return mistake(tr("Say the backup."));
     const QString path = bagAt(call.words[0]);
     const auto bag = goodBag(path);
     if (!bag)
