@@ -51,12 +51,14 @@ int runBackup(const QStringList &arguments)
     const QCommandLineOption allParameters {QStringLiteral("all-prm"),
         tr("Also read ALL.PRM, which repeats the other parameter files and takes a real controller 45 s.")};
     const VerbHelp help {tr("Reads all files of the controller into DIR/<controller>/<UTC time>, in BagIt form."),
-        QStringLiteral("DIR"), {keep, days, allParameters}};
+        QStringLiteral("DIR"), {keep, days, allParameters}, true, 1, 1};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
-    if (call.words.size() != 1)
-        return mistake(tr("Say the folder of the backups."));
-    const files::Retention retention {parser.value(keep).toInt(), parser.value(days).toInt()};
+    const auto most = numberOf(parser, keep);
+    const auto oldest = numberOf(parser, days);
+    if (!most || !oldest)
+        return Usage;
+    const files::Retention retention {*most, *oldest};
     const bool wantsAll = parser.isSet(allParameters);
     return run(call, [=](Desk &desk) {
         withOrder(desk, desk.call().words[0], [&desk, retention, wantsAll](files::BackupOrder order) {
@@ -87,11 +89,9 @@ int runVerify(const QStringList &arguments)
     Call call;
     QCommandLineParser parser;
     const VerbHelp help {
-        tr("Reads a backup and tells whether it is what was written."), QStringLiteral("BAG"), {}, false};
+        tr("Reads a backup and tells whether it is what was written."), QStringLiteral("BAG"), {}, false, 1, 1};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
-    if (call.words.size() != 1)
-        return mistake(tr("Say the backup."));
     const files::Verification found = files::verify(bagAt(call.words[0]));
     QStringList faults;
     for (const files::BagFault &fault : found.faults)

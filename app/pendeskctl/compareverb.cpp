@@ -108,7 +108,7 @@ int runCompare(const QStringList &arguments)
     VerbHelp help {
         tr("Compares two backups or folders of controller files, or one with the controller, in words; exit code 1 if "
            "configuration or data differ."),
-        QStringLiteral("BAG [BAG]"), {noise}};
+        QStringLiteral("BAG [BAG]"), {noise}, true, 1, 2};
     // Two bags need no controller; then its options are not missed.
     help.needsController = arguments.contains(QStringLiteral("--host"))
         || arguments.contains(QStringLiteral("--profile"))
@@ -116,8 +116,6 @@ int runCompare(const QStringList &arguments)
         || arguments.contains(QStringLiteral("--help")) || plain.size() < 2;
     if (const auto end = read(call, parser, help, arguments))
         return *end;
-    if (call.words.isEmpty() || call.words.size() > 2)
-        return mistake(tr("Say one or two backups."));
     const auto older = goodFiles(bagAt(call.words[0])); // of a backup, what lies there must be what was written
     if (!older)
         return older.error();

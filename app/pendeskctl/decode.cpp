@@ -4,6 +4,7 @@
 
 #include "options.h"
 #include "protocol/decoder.h"
+#include "values/foreigntext.h"
 #include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -36,18 +37,26 @@ void insertText(QJsonObject &object, const char *name, const QString &text)
         object.insert(QString::fromLatin1(name), text);
 }
 
-QString asJson(const DecodedPacket &packet)
+/// A NaN is null, with the text beside.
+void insertField(QJsonObject &object, const Field &field)
+{
+    object.insert(field.name, field.value);
+    if (field.value.isNull())
+        object.insert(field.name + QStringLiteral("_text"), field.words);
+}
+
+QJsonObject asJson(const DecodedPacket &packet)
 {
     QJsonObject object;
     if (packet.direction)
         object.insert(QStringLiteral("direction"), toString(*packet.direction));
     insertText(object, "name", packet.name);
     for (const Field &field : packet.header + packet.payload)
-        object.insert(field.name, field.value);
+        insertField(object, field);
     insertText(object, "error", packet.error);
     insertText(object, "problem", packet.problem);
     insertText(object, "meaning", packet.meaning);
-    return QString::fromUtf8(QJsonDocument {object}.toJson(QJsonDocument::Compact));
+    return object;
 }
 
 QString valueText(const QJsonValue &value)
@@ -62,14 +71,15 @@ QString asText(const Field &field)
 {
     if (field.words.isEmpty())
         return valueText(field.value);
-    const bool isPlain = field.value.isArray() || field.words.startsWith(u"0x") || field.value.isString();
+    const bool isPlain =
+        field.value.isNull() || field.value.isArray() || field.words.startsWith(u"0x") || field.value.isString();
     return isPlain ? field.words : QStringLiteral("%1 (%2)").arg(valueText(field.value), field.words);
 }
 
 void appendLine(QString &text, const QString &name, const QString &value)
 {
     if (!value.isEmpty())
-        text += QStringLiteral("  %1: %2\n").arg(name, value);
+        text += QStringLiteral("  %1: %2\n").arg(name, values::oneLine(value));
 }
 
 QString asText(const DecodedPacket &packet)
@@ -108,6 +118,14 @@ std::optional<protocol::Division> divisionOf(const QString &port)
     return std::nullopt;
 }
 
+QString modelList()
+{
+    QStringList keys;
+    for (const protocol::Model model : protocol::allModels)
+        keys << QLatin1String(protocol::dialect(model).key);
+    return keys.join(QStringLiteral(", "));
+}
+
 void addOptions(QCommandLineParser &parser)
 {
     const auto text = [](const char *source) { return QCoreApplication::translate("pendeskctl", source); };
@@ -116,8 +134,10 @@ void addOptions(QCommandLineParser &parser)
         option("reply-to", text(QT_TRANSLATE_NOOP("pendeskctl", "The request that a reply answers.")), "HEX"));
     parser.addOption(
         option("port", text(QT_TRANSLATE_NOOP("pendeskctl", "The port of the packets: 10040 or 10041.")), "PORT"));
-    parser.addOption(option("encoding", text(QT_TRANSLATE_NOOP("pendeskctl", "The encoding of texts.")), "NAME"));
-    parser.addOption(option("model", text(QT_TRANSLATE_NOOP("pendeskctl", "The controller model.")), "NAME"));
+    parser.addOption(option(
+        "encoding", text(QT_TRANSLATE_NOOP("pendeskctl", "The encoding of texts: %1.")).arg(encodingList()), "NAME"));
+    parser.addOption(
+        option("model", text(QT_TRANSLATE_NOOP("pendeskctl", "The controller model: %1.")).arg(modelList()), "NAME"));
     parser.addPositionalArgument(
         QStringLiteral("HEX"), text(QT_TRANSLATE_NOOP("pendeskctl", "A packet; without any, one a line on stdin.")));
 }
@@ -129,7 +149,7 @@ values::Result<Options> read(const QCommandLineParser &parser)
     const auto isSet = [&parser](const char *name) { return parser.isSet(QString::fromLatin1(name)); };
     Options options;
     options.asText = isSet("text");
-    options.packets = parser.positionalArguments();
+    options.packets = wordsOf(parser);
     if (isSet("reply-to") && !(options.request = fromHex(value("reply-to"))))
         return values::badInput(QStringLiteral("--reply-to takes a packet in hex"));
     if (isSet("port") && !(options.division = divisionOf(value("port"))))
@@ -137,13 +157,13 @@ values::Result<Options> read(const QCommandLineParser &parser)
     if (isSet("encoding")) {
         const auto encoding = protocol::findEncoding(value("encoding"));
         if (!encoding)
-            return values::badInput(QStringLiteral("no such encoding: %1").arg(value("encoding")));
+            return values::badInput(QStringLiteral("--encoding takes one of %1").arg(encodingList()));
         options.encoding = *encoding;
     }
     if (isSet("model")) {
         const auto *dialect = protocol::findDialect(value("model"));
         if (!dialect)
-            return values::badInput(QStringLiteral("no such model: %1").arg(value("model")));
+            return values::badInput(QStringLiteral("--model takes one of %1").arg(modelList()));
         options.model = dialect->model;
     }
     return options;
@@ -187,7 +207,10 @@ int printPackets(Decoder decoder, const QStringList &packets, bool forPeople)
     int exitCode = Done;
     for (const QString &hex : packets) {
         const DecodedPacket packet = decodeHex(decoder, hex);
-        print(forPeople ? asText(packet) : asJson(packet));
+        if (forPeople)
+            print(asText(packet).split(u'\n'));
+        else
+            print(QJsonValue {asJson(packet)});
         if (packet.isMalformed())
             exitCode = malformed;
     }

@@ -124,7 +124,7 @@ int runFiles(const QStringList &arguments)
         tr("Lists, reads, sends and deletes files. Sent files are read back; before a file is deleted, a "
            "copy is written here. What exists is replaced by get with --yes, by put with --replace; put and rm need "
            "--yes."),
-        QStringLiteral("ls [PATTERN] | get NAME… | put FILE… | rm NAME…"), {to, replace}};
+        QStringLiteral("ls [PATTERN] | get NAME… | put FILE… | rm NAME…"), {to, replace}, true, 1, anyNumber};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
     const QString what = call.words.value(0);

@@ -31,10 +31,11 @@ int getNamed(const Call &call, const QStringList &words)
 
 using Setter = int (*)(const Call &call, const QString &word, const QString &typed);
 
-int getOrSet(const QStringList &arguments, const VerbHelp &help, QString (*wordOf)(const QString &), Setter set)
+int getOrSet(const QStringList &arguments, VerbHelp help, QString (*wordOf)(const QString &), Setter set)
 {
     Call call;
     QCommandLineParser parser;
+    help.mostWords = anyNumber;
     if (const auto end = read(call, parser, help, arguments))
         return *end;
     QStringList words = call.words.mid(1);

@@ -76,7 +76,7 @@ int main(int argc, char *argv[])
             return verb.run(arguments);
     }
     if (first == u"--help" || first == u"-h") {
-        print(usage());
+        print(usage().split(u'\n'));
         return Done;
     }
     if (first == u"--version") {

@@ -7,6 +7,7 @@
 #include "variables/text.h"
 #include <QJsonArray>
 #include <QRegularExpression>
+#include <cmath>
 #include <memory>
 
 using protocol::Chunk;
@@ -84,9 +85,12 @@ QJsonValue jsonOf(const Value &value, const QString &text)
     case Kind::I:
     case Kind::D:
     case Kind::R:
-    case Kind::M: return text.toDouble();
+    case Kind::M: break;
     default: return text;
     }
+    bool isNumber = false;
+    const double number = text.toDouble(&isNumber);
+    return isNumber && std::isfinite(number) ? QJsonValue {number} : QJsonValue {}; // JSON has no NaN and no infinity
 }
 
 NamedValue named(const variables::Reference &reference, const Value &value, const Desk &desk)
@@ -117,8 +121,10 @@ template <typename Wire, Kind kind> void readVariables(Desk &desk, const variabl
         }
         handler(result);
     };
+    // Beyond the standard ones nobody knows which is the last: then not one more is asked for than is wanted.
+    const int last = std::max(range.last, countOf(kind, dialect) - 1);
     readRange<Wire>(desk, instanceOf(kind, range.first, dialect), instanceOf(kind, range.last, dialect),
-        instanceOf(kind, countOf(kind, dialect) - 1, dialect), take);
+        instanceOf(kind, last, dialect), take);
 }
 
 void readVariables(Desk &desk, const variables::Range &range, const ValuesHandler &handler)
@@ -280,7 +286,9 @@ void print(const Call &call, const QList<NamedValue> &values)
     for (const NamedValue &value : values) {
         if (call.isJson)
             json.insert(value.name, value.json);
-        else
+        if (call.isJson && value.json.isNull())
+            json.insert(value.name + QStringLiteral("_text"), value.text);
+        if (!call.isJson)
             print(QStringLiteral("%1  %2").arg(value.name, value.text));
     }
     if (call.isJson)
@@ -303,11 +311,20 @@ void remarkOnNumbering(const Call &call, const QList<Selection> &selections)
 
 } // namespace
 
+protocol::Dialect askedDialect(const Call &call)
+{
+    constexpr int most = 10'000;
+    protocol::Dialect dialect = call.profile.dialect();
+    dialect.variables = most;
+    dialect.positionVariables = most;
+    return dialect;
+}
+
 std::optional<QList<Selection>> selectionsFromText(const Call &call, const QStringList &words)
 {
     QList<Selection> result;
     for (const QString &word : words) {
-        const auto selection = selectionFromText(word, call.profile.dialect());
+        const auto selection = selectionFromText(word, askedDialect(call));
         if (!selection) {
             complain(selection.error().detail);
             return std::nullopt;

@@ -12,7 +12,7 @@ namespace pendeskctl {
 struct NamedValue {
     QString name;
     QString text;
-    QJsonValue json;
+    QJsonValue json; ///< null for a number that is none, such as the NaN of an R variable.
 };
 
 /// A row of variables, registers or I/O groups, or one signal.
@@ -27,6 +27,10 @@ struct Selection {
 /// "B005", "D000..D099", "M5", "2701..2710" for I/O groups, "#27010", "27010" or "IN#(1)" for one signal. BadInput with
 /// a sentence for anything else.
 [[nodiscard]] values::Result<Selection> selectionFromText(const QString &text, const protocol::Dialect &dialect);
+
+/// The controller's dialect without its standard number of variables: options add to them (reference §0.1 l), so
+/// whether it has one is for the controller to say.
+[[nodiscard]] protocol::Dialect askedDialect(const Call &call);
 
 /// Several of them; a mistake is complained about, and so is that there is none.
 [[nodiscard]] std::optional<QList<Selection>> selectionsFromText(const Call &call, const QStringList &words);

@@ -3,9 +3,11 @@
 #include "options.h"
 
 #include "settings/commandline.h"
+#include "values/foreigntext.h"
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QSettings>
 #include <cstdio>
 #ifdef Q_OS_UNIX
@@ -29,12 +31,28 @@ bool isTerminal()
 #endif
 }
 
+/// Before a negative number while the options are parsed: without it "-7" would be an option.
+constexpr QChar numberMark {0xE000};
+
+QStringList marked(QStringList arguments)
+{
+    static const QRegularExpression negative {QStringLiteral("^-[.,]?[0-9]")};
+    for (QString &argument : arguments) {
+        if (argument.contains(negative))
+            argument.prepend(numberMark);
+    }
+    return arguments;
+}
+
 void addCommonOptions(QCommandLineParser &parser, bool needsController)
 {
     if (needsController) {
         settings::addConnectionOptions(parser);
         parser.addOption({QStringLiteral("numbering"),
             tr("Instance of the first variable on this controller, 0 or 1 (parameter RS022)."), QStringLiteral("0|1")});
+        parser.addOption({QStringLiteral("encoding"),
+            tr("The encoding of the pendant's language instead of the stored one: %1.").arg(encodingList()),
+            QStringLiteral("NAME")});
     }
     parser.addOption({QStringLiteral("json"), tr("Print JSON.")});
     parser.addOption({QStringLiteral("yes"), tr("Yes, write: what changes something does nothing without it.")});
@@ -47,6 +65,12 @@ Result<void> readController(Call &call, const QCommandLineParser &parser)
     if (!profile)
         return tl::unexpected(profile.error());
     call.profile = *profile;
+    if (parser.isSet(QStringLiteral("encoding"))) {
+        const auto encoding = protocol::findEncoding(parser.value(QStringLiteral("encoding")));
+        if (!encoding)
+            return values::badInput(tr("--encoding takes one of %1.").arg(encodingList()));
+        call.profile.encoding = *encoding;
+    }
     call.hasNumbering = parser.isSet(QStringLiteral("numbering"));
     if (!call.hasNumbering)
         return {};
@@ -60,6 +84,14 @@ Result<void> readController(Call &call, const QCommandLineParser &parser)
 } // namespace
 
 QString tr(const char *text) { return QCoreApplication::translate("pendeskctl", text); }
+
+QString encodingList()
+{
+    QStringList keys;
+    for (const protocol::EncodingName &row : protocol::encodings())
+        keys << QLatin1String(row.key);
+    return keys.join(QStringLiteral(", "));
+}
 
 ExitCode exitCodeOf(const Error &error)
 {
@@ -87,7 +119,7 @@ std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arg
 {
     const QCommandLineOption help {{QStringLiteral("h"), QStringLiteral("help")}, tr("Print this and end.")};
     parser.addOption(help);
-    if (!parser.parse(arguments)) {
+    if (!parser.parse(marked(arguments))) {
         complain(parser.errorText() + QLatin1Char(' ') + tr("See pendeskctl %1 --help.").arg(arguments.first()));
         return Usage;
     }
@@ -97,11 +129,43 @@ std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arg
         QString text = parser.helpText().replace(QCoreApplication::arguments().constFirst(), program);
         if (!words.isEmpty())
             text.insert(text.indexOf(u'\n'), u' ' + words);
-        print(text.trimmed());
+        print(text.trimmed().split(u'\n'));
         return Done;
     }
     return std::nullopt;
 }
+
+QStringList wordsOf(const QCommandLineParser &parser)
+{
+    QStringList words = parser.positionalArguments();
+    for (QString &word : words)
+        word.remove(numberMark);
+    return words;
+}
+
+std::optional<int> numberOf(const QCommandLineParser &parser, const QCommandLineOption &option)
+{
+    bool isNumber = false;
+    const int number = parser.value(option).toInt(&isNumber);
+    if (isNumber && number >= 0)
+        return number;
+    complain(tr("--%1 takes a whole number that is not negative.").arg(option.names().constFirst()));
+    return std::nullopt;
+}
+
+namespace {
+
+/// What a verb does not take is a mistake, not something to pass over.
+std::optional<ExitCode> countWords(const QStringList &words, const VerbHelp &help, const QString &verb)
+{
+    if (words.size() > help.mostWords)
+        return mistake(tr("%1 does not take “%2”. See pendeskctl %1 --help.").arg(verb, words[help.mostWords]));
+    if (words.size() < help.fewestWords)
+        return mistake(tr("%1 takes %2. See pendeskctl %1 --help.").arg(verb, help.words));
+    return std::nullopt;
+}
+
+} // namespace
 
 std::optional<ExitCode> read(Call &call, QCommandLineParser &parser, const VerbHelp &help, const QStringList &arguments)
 {
@@ -111,7 +175,9 @@ std::optional<ExitCode> read(Call &call, QCommandLineParser &parser, const VerbH
     parser.addOptions(help.options);
     if (const auto end = parse(parser, arguments, help.words))
         return end;
-    call.words = parser.positionalArguments();
+    call.words = wordsOf(parser);
+    if (const auto end = countWords(call.words, help, arguments.first()))
+        return end;
     call.isJson = parser.isSet(QStringLiteral("json"));
     call.isQuiet = parser.isSet(QStringLiteral("quiet"));
     call.mayWrite = parser.isSet(QStringLiteral("yes"));
@@ -130,7 +196,10 @@ std::optional<ExitCode> requireYes(const Call &call)
     return Usage;
 }
 
-void complain(const QString &sentence) { std::fprintf(stderr, "pendeskctl: %s\n", qUtf8Printable(sentence)); }
+void complain(const QString &sentence)
+{
+    std::fprintf(stderr, "pendeskctl: %s\n", qUtf8Printable(values::oneLine(sentence)));
+}
 
 ExitCode mistake(const QString &sentence)
 {
@@ -140,21 +209,28 @@ ExitCode mistake(const QString &sentence)
 
 void print(const QString &line)
 {
-    std::fprintf(stdout, "%s\n", qUtf8Printable(line));
+    std::fprintf(stdout, "%s\n", qUtf8Printable(values::oneLine(line)));
     std::fflush(stdout);
 }
 
-void print(const QJsonValue &json)
+void print(const QStringList &lines)
+{
+    for (const QString &line : lines)
+        print(line);
+}
+
+void print(const QJsonValue &json, QJsonDocument::JsonFormat format)
 {
     const QJsonDocument document = json.isArray() ? QJsonDocument {json.toArray()} : QJsonDocument {json.toObject()};
-    print(QString::fromUtf8(document.toJson(QJsonDocument::Compact)));
+    std::fprintf(stdout, "%s\n", values::plainJson(document.toJson(format)).trimmed().constData());
+    std::fflush(stdout);
 }
 
 void showProgress(const Call &call, const QString &line)
 {
     if (call.isQuiet || !isTerminal())
         return;
-    std::fprintf(stderr, "\r\x1b[K%s", qUtf8Printable(line));
+    std::fprintf(stderr, "\r\x1b[K%s", qUtf8Printable(values::oneLine(line)));
     std::fflush(stderr);
 }
 

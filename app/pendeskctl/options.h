@@ -5,7 +5,9 @@
 #include "settings/profile.h"
 #include "values/error.h"
 #include <QCommandLineParser>
+#include <QJsonDocument>
 #include <QJsonValue>
+#include <limits>
 
 namespace pendeskctl {
 
@@ -28,11 +30,15 @@ enum ExitCode {
 /// The controller that the options name; BadInput with a sentence if they do not name one.
 [[nodiscard]] values::Result<settings::Profile> profileOf(const QCommandLineParser &parser);
 
-/// Parses `arguments` (the verb first); on a mistake prints it with a hint to --help and ends with `Usage`.
-/// Prints the help and ends with `Done` when asked for it. nullopt means: go on. `words` are what the verb takes
-/// beside options.
+/// Parses `arguments` (the verb first), among which a negative number is a word and no option; on a mistake prints it
+/// with a hint to --help and ends with `Usage`. Prints the help and ends with `Done` when asked for it. nullopt means:
+/// go on. `words` are what the verb takes beside options.
 [[nodiscard]] std::optional<ExitCode> parse(
     QCommandLineParser &parser, const QStringList &arguments, const QString &words = {});
+/// The words behind the verb, as they were given.
+[[nodiscard]] QStringList wordsOf(const QCommandLineParser &parser);
+/// A whole number that is not negative; nullopt, after a complaint, for anything else.
+[[nodiscard]] std::optional<int> numberOf(const QCommandLineParser &parser, const QCommandLineOption &option);
 
 /// What a verb is told.
 struct Call {
@@ -50,7 +56,10 @@ struct VerbHelp {
     QString words; ///< Such as "get|set NAME".
     QList<QCommandLineOption> options = {};
     bool needsController = true;
+    qsizetype fewestWords = 0; ///< Behind the verb; more or fewer end with Usage.
+    qsizetype mostWords = 0;
 };
+inline constexpr qsizetype anyNumber = std::numeric_limits<qsizetype>::max();
 
 /// Reads a call. Ends with an exit code where the program ends here: a mistake, or help was asked for.
 [[nodiscard]] std::optional<ExitCode> read(
@@ -59,6 +68,10 @@ struct VerbHelp {
 [[nodiscard]] std::optional<ExitCode> requireYes(const Call &call);
 
 [[nodiscard]] QString tr(const char *text);
+/// "ISO-8859-1, UTF-8, …": what --encoding takes.
+[[nodiscard]] QString encodingList();
+
+// Whatever is printed may hold text from a controller: it stays on its line and does nothing to a terminal.
 
 /// Prints "pendeskctl: `sentence`" on the error stream.
 void complain(const QString &sentence);
@@ -66,8 +79,10 @@ void complain(const QString &sentence);
 [[nodiscard]] ExitCode mistake(const QString &sentence);
 /// Prints a line on the output stream.
 void print(const QString &line);
+/// Prints several lines.
+void print(const QStringList &lines);
 /// Prints an object or array on the output stream.
-void print(const QJsonValue &json);
+void print(const QJsonValue &json, QJsonDocument::JsonFormat format = QJsonDocument::Compact);
 /// Shows how far it has come in one line of the error stream, if that is a terminal. Empty takes the line away.
 void showProgress(const Call &call, const QString &line);
 

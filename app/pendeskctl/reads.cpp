@@ -143,6 +143,24 @@ struct AlarmReader : std::enable_shared_from_this<AlarmReader> {
     QJsonArray alarms;
 };
 
+/// The group that "R1", "B1" or "S1" names, in the coordinates that are read of it.
+std::optional<values::ControlGroup> findGroup(const QString &name, bool inPulses, const protocol::Dialect &dialect)
+{
+    using values::ControlGroup;
+    bool isNumber = false;
+    const int number = name.mid(1).toInt(&isNumber);
+    const auto isUpTo = [&](int last) { return isNumber && number >= 1 && number <= last; };
+    switch (name.isEmpty() ? u' ' : name[0].toUpper().unicode()) {
+    case u'R':
+        if (!isUpTo(dialect.robots))
+            return std::nullopt;
+        return inPulses ? ControlGroup::robotPulse(number) : ControlGroup::robotCartesian(number);
+    case u'B': return isUpTo(dialect.bases) ? std::optional {ControlGroup::basePulse(number)} : std::nullopt;
+    case u'S': return isUpTo(dialect.stations) ? std::optional {ControlGroup::stationPulse(number)} : std::nullopt;
+    default: return std::nullopt;
+    }
+}
+
 } // namespace
 
 int runInfo(const QStringList &arguments)
@@ -167,11 +185,16 @@ int runPosition(const QStringList &arguments)
     Call call;
     QCommandLineParser parser;
     const QCommandLineOption pulse {QStringLiteral("pulse"), tr("In pulses instead of the base frame.")};
-    if (const auto end = read(call, parser, {tr("Reads where the first robot stands."), {}, {pulse}}, arguments))
+    const VerbHelp help {tr("Reads where a control group stands: the first robot, or R2, B1, S1."),
+        QStringLiteral("[GROUP]"), {pulse}, true, 0, 1};
+    if (const auto end = read(call, parser, help, arguments))
         return *end;
-    const bool inPulses = parser.isSet(pulse);
-    const auto group = inPulses ? values::ControlGroup::robotPulse(1) : values::ControlGroup::robotCartesian(1);
-    return run(call, [group](Desk &desk) { readPosition(desk, group); });
+    const QString name = call.words.value(0, QStringLiteral("R1"));
+    const auto group = findGroup(name, parser.isSet(pulse), call.profile.dialect());
+    if (!group)
+        return mistake(tr("“%1” is no control group of a %2: say R1, B1 or S1.")
+                           .arg(name, QLatin1String(call.profile.dialect().name)));
+    return run(call, [group](Desk &desk) { readPosition(desk, *group); });
 }
 
 int runAlarms(const QStringList &arguments)

@@ -175,11 +175,9 @@ int runRestore(const QStringList &arguments)
                             "each read back. Tools, frames and areas only by name; parameters, calibration and ladder "
                             "never; never while "
                             "a job runs."),
-        QStringLiteral("BAG [NAME…]"), {dryRun}};
+        QStringLiteral("BAG [NAME…]"), {dryRun}, true, 1, anyNumber};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
-    if (call.words.isEmpty())
-        return mistake(tr("Say the backup."));
     const QString path = bagAt(call.words[0]);
     const auto bag = goodBag(path);
     if (!bag)

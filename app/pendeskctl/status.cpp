@@ -6,9 +6,8 @@
 #include "protocol/codes.h"
 #include "robot/controller.h"
 #include "robot/snapshot.h"
-#include "settings/commandline.h"
 #include <QCoreApplication>
-#include <QJsonDocument>
+#include <QJsonObject>
 
 using namespace robot;
 
@@ -33,29 +32,22 @@ QString addressed(const settings::Profile &profile, const values::Error &error)
 void printState(const RobotState &state, const protocol::TextCodec &codec, bool asJson)
 {
     if (asJson)
-        print(QString::fromUtf8(QJsonDocument {toJson(state, codec)}.toJson(QJsonDocument::Indented)).trimmed());
+        print(QJsonValue {toJson(state, codec)}, QJsonDocument::Indented);
     else
-        print(toLines(state, codec).join(u'\n'));
+        print(toLines(state, codec));
 }
 
 } // namespace
 
 int runStatus(const QStringList &arguments)
 {
+    Call call;
     QCommandLineParser parser;
-    parser.setApplicationDescription(QCoreApplication::translate(
-        "pendeskctl", "Reads status, executing job, position and system information once."));
-    settings::addConnectionOptions(parser);
-    parser.addOption({QStringLiteral("json"), QCoreApplication::translate("pendeskctl", "Print JSON.")});
-    if (const auto end = parse(parser, arguments))
+    const VerbHelp help {tr("Reads status, executing job, position and system information once."), {}};
+    if (const auto end = read(call, parser, help, arguments))
         return *end;
-    const auto profile = profileOf(parser);
-    if (!profile) {
-        complain(profile.error().detail);
-        return Usage;
-    }
 
-    Controller controller {*profile};
+    Controller controller {call.profile};
     const auto interest = controller.poller().want({topics::overview.begin(), topics::overview.end()});
     QObject::connect(&controller.state(), &RobotState::changed, &controller, [&] {
         if (controller.linkState() == LinkState::Monitoring && isComplete(controller.state()))
@@ -64,19 +56,19 @@ int runStatus(const QStringList &arguments)
     QObject::connect(&controller, &Controller::troubleChanged, &controller, [&] {
         if (!controller.trouble())
             return;
-        complain(addressed(*profile, *controller.trouble()));
+        complain(addressed(call.profile, *controller.trouble()));
         QCoreApplication::exit(exitCodeOf(*controller.trouble()));
     });
     QObject::connect(&controller, &Controller::linkStateChanged, &controller, [&] {
         if (controller.linkState() != LinkState::Lost)
             return;
-        complain(addressed(*profile, {values::ErrorKind::NoAnswer, 0, 0, {}}));
+        complain(addressed(call.profile, {values::ErrorKind::NoAnswer, 0, 0, {}}));
         QCoreApplication::exit(NoAnswer);
     });
     controller.open();
     const int end = QCoreApplication::exec();
     if (end == Done)
-        printState(controller.state(), protocol::TextCodec {profile->encoding}, parser.isSet(QStringLiteral("json")));
+        printState(controller.state(), protocol::TextCodec {call.profile.encoding}, call.isJson);
     return end;
 }
 

@@ -87,12 +87,12 @@ struct SignalWriter : std::enable_shared_from_this<SignalWriter> {
 
 int setVariable(const Call &call, const QString &word, const QString &typed)
 {
-    const auto reference = variables::referenceFromText(word, call.profile.dialect());
+    const auto reference = variables::referenceFromText(word, askedDialect(call));
     if (!reference)
         return mistake(reference.error().detail);
     if (variables::isPosition(reference->kind))
         return mistake(tr("Positions are not written from the command line."));
-    if (reference->number >= writableCountOf(reference->kind, call.profile.dialect()))
+    if (reference->number >= writableCountOf(reference->kind, askedDialect(call)))
         return mistake(tr("%1 cannot be written.").arg(toString(*reference)));
     const bool isToldNumbering = reference->kind == variables::Kind::M || call.hasNumbering;
     if (!isToldNumbering && !call.profile.numberingVerified.isValid())

@@ -94,9 +94,11 @@ bool Command::isWritable(quint32 instance, const Dialect &dialect) const
 
 bool Command::hasAttribute(Service service, quint8 attribute) const
 {
+    // I/O groups, registers and variables of one element: attribute 0 means it as well (reference §0.1 b).
+    const bool isCell = elements == 1 && hasService(Service::GetSingle);
     switch (service) {
     case Service::GetSingle:
-    case Service::SetSingle: return attribute >= 1 && attribute <= elements;
+    case Service::SetSingle: return attribute <= elements && (attribute > 0 || isCell);
     case Service::GetAll:
     case Service::SetAll:
         return (attribute == 0 && allAttribute != AllAttribute::One)

@@ -24,7 +24,7 @@ Field showReal(const char *name, float value)
         if (text.toFloat() == value)
             break;
     }
-    const QJsonValue shown = std::isfinite(value) ? QJsonValue {text.toDouble()} : QJsonValue {text};
+    const QJsonValue shown = std::isfinite(value) ? QJsonValue {text.toDouble()} : QJsonValue {}; // JSON has no NaN
     return {QString::fromLatin1(name), shown, text};
 }
 

@@ -37,10 +37,12 @@ using Fields = QList<Field>;
 class FieldReader
 {
 public:
-    FieldReader(QByteArrayView payload, int onlyElement, const TextCodec &codec)
+    /// `payload` must outlive the reader.
+    FieldReader(QByteArrayView payload, int onlyElement, TextCodec codec)
         : m_reader {payload, onlyElement}, m_codec {codec}, m_onlyElement {onlyElement}
     {
     }
+    FieldReader(QByteArray &&payload, int onlyElement, TextCodec codec) = delete;
 
     [[nodiscard]] const Fields &fields() const { return m_fields; }
     [[nodiscard]] bool isComplete() const { return m_reader.isComplete(); }
@@ -141,7 +143,7 @@ private:
     void addDerived(const char *name, int number) { m_fields += showNumber(name, number); }
 
     Reader m_reader;
-    const TextCodec &m_codec;
+    TextCodec m_codec;
     int m_onlyElement;
     Fields m_fields;
 };

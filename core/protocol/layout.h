@@ -60,7 +60,9 @@ private:
 class Reader
 {
 public:
+    /// `payload` must outlive the reader.
     explicit Reader(QByteArrayView payload, int onlyElement = 0) : m_rest {payload}, m_cursor {onlyElement} { }
+    explicit Reader(QByteArray &&payload, int onlyElement = 0) = delete;
 
     /// True if the element takes part and was there.
     template <typename Field> bool element(const char *, Field &field) { return m_cursor.next() && take(field); }

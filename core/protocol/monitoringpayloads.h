@@ -14,16 +14,23 @@
 
 namespace protocol {
 
-/// Reference §3.1, §3.2.
+/// The elements that every form of an alarm begins with (reference §3.1).
+void describeAlarm(auto &visit, auto &alarm)
+{
+    visit.element("alarm_code", alarm.code);
+    visit.element("alarm_data", alarm.data.value);
+    visit.element("alarm_type", alarm.data.type);
+    visit.element("time", alarm.time);
+    visit.element("alarm_name", alarm.name);
+    visit.derived("sub_code", [&alarm] { return alarm.data.toString(); });
+}
+
+/// Reference §3.1, §3.2: any length from 60 bytes on (§0.1 i).
 template <> struct Layout<values::Alarm> {
     static void describe(auto &visit, auto &alarm)
     {
-        visit.element("alarm_code", alarm.code);
-        visit.element("alarm_data", alarm.data.value);
-        visit.element("alarm_type", alarm.data.type);
-        visit.element("time", alarm.time);
-        visit.element("alarm_name", alarm.name);
-        visit.derived("sub_code", [&alarm] { return alarm.data.toString(); });
+        describeAlarm(visit, alarm);
+        visit.rest();
     }
 };
 
@@ -31,7 +38,7 @@ template <> struct Layout<values::Alarm> {
 template <> struct Layout<values::AlarmWithTexts> {
     static void describe(auto &visit, auto &detailed)
     {
-        Layout<values::Alarm>::describe(visit, detailed.alarm);
+        describeAlarm(visit, detailed.alarm);
         visit.optional();
         visit.element("extra_text", detailed.extra);
         visit.element("sub_text", detailed.subText);

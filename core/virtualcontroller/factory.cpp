@@ -87,17 +87,8 @@ void fillInformation(Memory &memory)
 
 void fillVariables(Memory &memory)
 {
-    const auto variables = std::size_t(memory.dialect.variables);
-    const auto positions = std::size_t(memory.dialect.positionVariables);
     memory.registers.resize(protocol::registers.count());
-    memory.b.resize(variables);
-    memory.i.resize(variables);
-    memory.d.resize(variables);
-    memory.r.resize(variables);
-    memory.s.resize(variables);
-    memory.p.resize(positions);
-    memory.bp.resize(positions);
-    memory.ex.resize(positions);
+    memory.resizeVariables(memory.dialect.variables, memory.dialect.positionVariables);
     memory.i[0] = {120};
     memory.d[0] = {4711};
     memory.r[0] = {12.5F};

@@ -30,7 +30,8 @@ using FileAnswer = std::optional<QByteArray>;
 
 bool needsName(Service service) { return service != Service::ListFiles; }
 
-/// Faults of a request by itself, in the order of reference §1.7.
+/// Faults of a request by itself, in the order of reference §1.7. A real controller refused to delete a name with a
+/// terminator (§12, conflict 51).
 quint16 requestFault(const ClientPacket &packet)
 {
     if (packet.command != 0)
@@ -48,7 +49,8 @@ quint16 requestFault(const ClientPacket &packet)
     }
     if (packet.framing.block != 0)
         return WrongBlock;
-    return needsName(packet.service) && packet.payload.isEmpty() ? NoData : 0;
+    const bool isBadDelete = packet.service == Service::DeleteFile && packet.payload.endsWith('\0');
+    return (needsName(packet.service) && packet.payload.isEmpty()) || isBadDelete ? NoData : 0;
 }
 
 bool hasTimedOut(const Transfer &transfer, const Memory &memory)

@@ -34,6 +34,15 @@ quint16 pulseInstance(ControlGroup group)
 
 } // namespace
 
+void Memory::resizeVariables(int variables, int positionVariables)
+{
+    dialect.variables = variables;
+    dialect.positionVariables = positionVariables;
+    const auto resize = [](int count, auto &...lists) { (lists.resize(std::size_t(count)), ...); };
+    resize(variables, b, i, d, r, s);
+    resize(positionVariables, p, bp, ex);
+}
+
 const Group *Memory::findGroup(ControlGroup group) const
 {
     const auto found = std::ranges::find_if(

@@ -35,7 +35,9 @@ struct Settings {
     bool refusesEmptyLists = true; ///< With 0xE2A7; else an empty block is sent (reference §7.4).
     bool mayOverwriteFiles = true; ///< RS029 and RS214 are 1 (reference §10.1).
     quint16 overwriteRefusal = 0xE28C; ///< Or 0x4030 (reference §7.6).
-    Time servoDelay = 800ms; ///< From the order to servo power on.
+    /// From the order to servo power on, when the order is answered too (reference §0.1 h): well under the 800 ms that
+    /// many clients wait.
+    Time servoDelay = 600ms;
     Time lineTime = 20ms; ///< What an instruction takes that neither moves nor waits.
     Time transferTimeout = 10s; ///< After which a silent client's transfer is dropped (reference §7.6).
     int blockSize = 479; ///< Bytes in a block that the controller sends; 1 to 479.
@@ -129,6 +131,10 @@ struct Memory {
     explicit Memory(const Settings &settings = {});
     /// As a demo shows itself: servo power on and a job running in continuous mode.
     [[nodiscard]] static Memory demo(const Settings &settings = {});
+
+    /// How many variables of each kind there are: B I D R S, and P BP EX. What is beyond goes, what is new is 0 or
+    /// was never taught.
+    void resizeVariables(int variables, int positionVariables);
 
     /// The group of a pulse or cartesian instance (reference §2.1); nullptr if it is not configured.
     [[nodiscard]] Group *findGroup(values::ControlGroup group);

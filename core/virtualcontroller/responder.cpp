@@ -3,6 +3,7 @@
 #include "virtualcontroller/responder.h"
 
 #include "protocol/catalog.h"
+#include "protocol/payloads.h"
 #include "virtualcontroller/access.h"
 #include "virtualcontroller/frames.h"
 #include "virtualcontroller/handlers.h"
@@ -54,6 +55,24 @@ Answer answer(const Request &request, Memory &memory)
 }
 
 } // namespace
+
+bool isWaitingForPower(QByteArrayView datagram, const Memory &memory)
+{
+    constexpr quint16 servo = 2;
+    const auto packet = protocol::parseClientPacket(datagram);
+    const auto word = packet ? protocol::decode<values::ControlWord>(packet->payload) : values::badInput({});
+    const bool isServoOn = word && word->value == 1 && packet->command == 0x83 && packet->instance == servo
+        && packet->service == Service::SetSingle;
+    return isServoOn && memory.servoOnAt;
+}
+
+QByteArray servoOnReply(QByteArrayView datagram, const Memory &memory)
+{
+    constexpr quint16 cannotBeSwitchedOn = 0x3450;
+    const ClientPacket packet = protocol::peekClientPacket(datagram);
+    return memory.status.isServoOn() ? successReply(packet, protocol::lastBlock, {})
+                                     : refusalReply(packet, cannotBeSwitchedOn, memory.settings.usesBareStatuses);
+}
 
 std::optional<QByteArray> respond(QByteArrayView datagram, Memory &memory, Time now)
 {

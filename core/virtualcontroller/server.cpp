@@ -88,6 +88,7 @@ Result<void> Server::start()
 void Server::stop()
 {
     m_housekeeping->stop();
+    m_servoOrders.clear();
     m_robotSocket->close();
     m_fileSocket->close();
 }
@@ -105,6 +106,7 @@ Time Server::advanceToNow()
 {
     const Time now = m_options.clock();
     m_options.script.run(m_memory, now);
+    answerServoOrders();
     return now;
 }
 
@@ -178,13 +180,35 @@ void Server::answer(QUdpSocket *socket, const QNetworkDatagram &datagram, std::o
                                  : respond(bytes, m_memory, now);
     if (!reply)
         return;
-    const auto plan = m_faults.plan(Direction::Reply, commandOf(bytes), *reply);
+    if (!isRefused && socket == m_robotSocket && isWaitingForPower(bytes, m_memory))
+        return keepBack(datagram);
+    this->reply(socket, datagram, *reply);
+}
+
+void Server::reply(QUdpSocket *socket, const QNetworkDatagram &datagram, const QByteArray &packet)
+{
+    const auto plan = m_faults.plan(Direction::Reply, commandOf(datagram.data()), packet);
     if (plan.silence)
         fallSilent(plan);
-    deliver(plan, [socket, datagram](const QByteArray &packet) {
+    deliver(plan, [socket, datagram](const QByteArray &bytes) {
         if (socket->state() == QAbstractSocket::BoundState)
-            socket->writeDatagram(QNetworkDatagram {datagram}.makeReply(packet));
+            socket->writeDatagram(QNetworkDatagram {datagram}.makeReply(bytes));
     });
+}
+
+void Server::keepBack(const QNetworkDatagram &datagram)
+{
+    m_servoOrders.push_back(datagram);
+    QTimer::singleShot(*m_memory.servoOnAt - m_memory.now, this, &Server::advanceToNow);
+}
+
+/// Power has come, or will not come any more.
+void Server::answerServoOrders()
+{
+    if (m_memory.servoOnAt)
+        return;
+    for (const QNetworkDatagram &order : std::exchange(m_servoOrders, {}))
+        reply(m_robotSocket, order, servoOnReply(order.data(), m_memory));
 }
 
 } // namespace virtualcontroller

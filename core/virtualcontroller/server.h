@@ -7,10 +7,10 @@
 #include "virtualcontroller/faults.h"
 #include "virtualcontroller/memory.h"
 #include "virtualcontroller/script.h"
+#include <QNetworkDatagram>
 #include <QObject>
 #include <functional>
 
-class QNetworkDatagram;
 class QTimer;
 class QUdpSocket;
 
@@ -71,6 +71,9 @@ private:
     void count(QUdpSocket *socket, QByteArrayView datagram);
     void take(QUdpSocket *socket, const QNetworkDatagram &datagram);
     void answer(QUdpSocket *socket, const QNetworkDatagram &datagram, std::optional<quint16> refusal);
+    void reply(QUdpSocket *socket, const QNetworkDatagram &datagram, const QByteArray &packet);
+    void keepBack(const QNetworkDatagram &datagram);
+    void answerServoOrders();
     void deliver(const Faults::Plan &plan, const std::function<void(const QByteArray &)> &to);
     [[nodiscard]] bool isSilent() { return advanceToNow() < m_memory.silentUntil; }
     void fallSilent(const Faults::Plan &plan);
@@ -80,6 +83,7 @@ private:
     Memory m_startMemory;
     Faults m_faults;
     Arrivals m_arrivals;
+    std::vector<QNetworkDatagram> m_servoOrders; ///< Answered when servo power is on.
     QUdpSocket *m_robotSocket;
     QUdpSocket *m_fileSocket;
     QTimer *m_housekeeping;

@@ -259,6 +259,23 @@ void takeRegisters(const StateValue &value, Memory &memory)
     }
 }
 
+struct VariableCounts {
+    int variables;
+    int positions;
+};
+
+void takeVariableCounts(const StateValue &value, Memory &memory)
+{
+    constexpr int most = 10'000;
+    static constexpr std::array<Key<VariableCounts>, 2> keys {{
+        {"variables", [](const StateValue &v, VariableCounts &c) { c.variables = int(v.number(1, most)); }},
+        {"positionVariables", [](const StateValue &v, VariableCounts &c) { c.positions = int(v.number(1, most)); }},
+    }};
+    VariableCounts counts {memory.dialect.variables, memory.dialect.positionVariables};
+    take(value, counts, keys);
+    memory.resizeVariables(counts.variables, counts.positions);
+}
+
 void takeTimes(const StateValue &value, Memory &memory)
 {
     static constexpr std::array<Key<RunningTime>, 2> keys {{
@@ -303,7 +320,7 @@ void takeConverters(const StateValue &value, Memory &memory)
 }
 
 /// In the order in which they may rely on each other: the job comes last.
-constexpr std::array<Key<Memory>, 14> sections {{
+constexpr std::array<Key<Memory>, 15> sections {{
     {"status", takeStatus},
     {"interlocks", takeInterlocks},
     {"files", takeFiles},
@@ -312,6 +329,7 @@ constexpr std::array<Key<Memory>, 14> sections {{
     {"histories", takeHistories},
     {"io", takeIo},
     {"registers", takeRegisters},
+    {"variableCounts", takeVariableCounts},
     {"variables", takeVariables},
     {"times", takeTimes},
     {"systemInformation", takeInformation},

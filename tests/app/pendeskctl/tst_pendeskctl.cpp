@@ -102,7 +102,10 @@ private Q_SLOTS:
     void backsUpAndRestores();
     void refusesAnotherRobot();
     void showsAndComparesInWords();
+    void saysWhatCannotBeShown();
+    void readsForeignText();
     void watches();
+    void watchesOnAfterAGap();
 };
 
 void TestPendeskctl::ends_data()
@@ -146,6 +149,24 @@ void TestPendeskctl::ends_data()
     row("files get NONE*.JBI --to DIR", 7);
     row("watch --every soon B000", 2);
     row("info --unknown", 2);
+    row("status R2", 2);
+    row("info now", 2);
+    row("alarms minor", 2);
+    row("jobs W*", 2);
+    row("position R1", 0);
+    row("position R2", 4); // the controller has one robot
+    row("position R9", 2);
+    row("position X", 2);
+    row("position R1 R2", 2);
+    row("backup DIR/a DIR/b", 2);
+    row("backup DIR/a --keep many", 2);
+    row("backup DIR/a --keep -1", 2);
+    row("verify", 2);
+    row("watch", 2);
+    row("files", 2);
+    row("info --encoding none", 2);
+    row("var get B150 --numbering 0", 4); // asked, and refused
+    row("var set B150 1 --numbering 0 --yes", 4);
 }
 
 void TestPendeskctl::ends()
@@ -190,6 +211,12 @@ void TestPendeskctl::readsForPeople_data()
         << QStringLiteral("var get B005") << QByteArray("B005  ") << QByteArray("RS022");
     QTest::addRow("failed file") << QStringLiteral("files get NONE.JBI --to DIR") << QByteArray("NONE.JBI  failed")
                                  << QByteArray("NONE.JBI: 0xE2B3");
+    QTest::addRow("words") << QStringLiteral("jobs W*") << QByteArray() << QByteArray("jobs does not take “W*”");
+    QTest::addRow("encodings") << QStringLiteral("decode --encoding none 00") << QByteArray()
+                               << QByteArray("ISO-8859-1, UTF-8, Shift_JIS");
+    QTest::addRow("models") << QStringLiteral("decode --model none 00") << QByteArray() << QByteArray("dx100, dx200");
+    QTest::addRow("encodings in the help")
+        << QStringLiteral("info --help") << QByteArray("Shift_JIS, GBK") << QByteArray();
     QTest::addRow("help") << QStringLiteral("files --help") << QByteArray("[options] ls [PATTERN] | get NAME")
                           << QByteArray();
 }
@@ -230,6 +257,14 @@ void TestPendeskctl::writesOnlyWhenTold()
     QCOMPARE(memory.registers[5].value, quint16(123));
     QCOMPARE(terminal.run(QStringLiteral("io set 27012 1 --yes")).code, 0);
     QCOMPARE(memory.io[2701], quint8(4));
+    QCOMPARE(terminal.run(QStringLiteral("var set I005 -7 --yes --numbering 0")).code, 0);
+    QCOMPARE(memory.i[5].value, qint16(-7));
+    QCOMPARE(terminal.run(QStringLiteral("var set --numbering 0 R001 -.5 --yes")).code, 0);
+    QCOMPARE(memory.r[1].value, -0.5F);
+    memory.resizeVariables(250, 128);
+    QCOMPARE(terminal.run(QStringLiteral("var set B249 9 --yes --numbering 0")).code, 0);
+    QCOMPARE(memory.b[249].value, quint8(9));
+    QCOMPARE(terminal.run(QStringLiteral("var get B000..B248 --numbering 0")).code, 0); // an odd number of bytes
     QCOMPARE(terminal.run(QStringLiteral("registers set 5 1")).code, 2);
     QCOMPARE(memory.registers[5].value, quint16(123));
 }
@@ -370,12 +405,61 @@ void TestPendeskctl::showsAndComparesInWords()
     QVERIFY2(later.out.contains("! Tool 1 “GRIPPER A”: point moved 1.75 mm (Z 163.250 → 165.000)"), later.out);
 }
 
+/// What JSON cannot hold is null, and nothing that a controller sends does anything to a terminal.
+void TestPendeskctl::saysWhatCannotBeShown()
+{
+    Terminal terminal;
+    auto &memory = terminal.server->memory();
+    memory.r[1].value = std::numeric_limits<float>::quiet_NaN();
+    memory.r[2].value = -std::numeric_limits<float>::infinity();
+    const QJsonObject values = json(terminal.run(QStringLiteral("var get R000..R002 --numbering 0 --json"))).object();
+    QCOMPARE(values.value(u"R000").toDouble(), 12.5);
+    QVERIFY(values.contains(u"R001") && values.value(u"R001").isNull());
+    QCOMPARE(values.value(u"R001_text").toString().toLower(), QStringLiteral("nan"));
+    QVERIFY(values.contains(u"R002") && values.value(u"R002").isNull());
+    QVERIFY(!values.contains(u"R000_text"));
+    memory.s[3].value = values::FixedText<32> {"\x1b[2J\r\nR002  1\x9b"
+                                               "31m"};
+    const Ended text = terminal.run(QStringLiteral("var get S003 --numbering 0"));
+    QCOMPARE(text.out, QByteArray("S003  ⟨1B⟩[2J⟨0D⟩⟨0A⟩R002  1⟨9B⟩31m\n"));
+    const Ended inJson = terminal.run(QStringLiteral("var get S003 --numbering 0 --json"));
+    QVERIFY(!inJson.out.contains('\x1b') && !inJson.out.contains("\xc2\x9b"));
+    QCOMPARE(json(inJson).object().value(u"S003").toString(), QStringLiteral("\x1b[2J\r\nR002  1\u009b31m"));
+}
+
+void TestPendeskctl::readsForeignText()
+{
+    Terminal terminal;
+    auto &memory = terminal.server->memory();
+    memory.alarms.push_front(
+        {{{4416, {}, values::FixedText<16> {"2026/01/31 08:30"}, values::FixedText<32> {"\x83\x65"}}}});
+    memory.systemInformation[11].model = values::FixedText<16> {"\x83\x65"};
+    for (const char *verb : {"alarms", "info", "status"}) {
+        const Ended ended = terminal.run(QString::fromLatin1(verb) + QStringLiteral(" --encoding Shift_JIS"));
+        QVERIFY2(ended.code == 0, ended.err);
+    }
+    QVERIFY(terminal.run(QStringLiteral("alarms --encoding Shift_JIS")).out.contains("テ"));
+    QVERIFY(terminal.run(QStringLiteral("info --encoding Shift_JIS")).out.contains("テ"));
+}
+
 void TestPendeskctl::watches()
 {
     Terminal terminal;
     const Ended ended = terminal.run(QStringLiteral("watch --every 20ms --count 3 --json B000 M005"));
     QCOMPARE(ended.code, 0);
     QCOMPARE(ended.out.trimmed().split('\n').size(), 3);
+}
+
+/// The third reading is not answered at all.
+void TestPendeskctl::watchesOnAfterAGap()
+{
+    Terminal terminal;
+    terminal.server->setFaults(
+        *virtualcontroller::Faults::parse(QStringLiteral("seed=1; 0x79 request lose after=2 times=3")));
+    const Ended ended = terminal.run(QStringLiteral("watch --every 20ms --count 4 --json --timeout 20ms --quiet M005"));
+    QVERIFY2(ended.code == 0, ended.err);
+    QCOMPARE(ended.out.trimmed().split('\n').size(), 4);
+    QVERIFY(ended.err.contains("did not answer") && ended.err.contains("Answers again"));
 }
 
 QTEST_GUILESS_MAIN(TestPendeskctl)

@@ -205,6 +205,7 @@ void FileResponderTest::refusesRequests_data()
         "save empty", SaveFile, "EMPTY.DAT", [](Memory &m) { m.files["EMPTY.DAT"] = ""; }, 0xE29C);
     row("save backup", SaveFile, "/SPDRV/CMOSBK.BIN", none, 0xE24F);
     row("delete missing", DeleteFile, "NONE.JBI", none, 0xE2B3);
+    row("delete with a terminator", DeleteFile, QByteArray("HOME.JBI", 9), none, 0xE49D); // §12, conflict 51
     row("delete data", DeleteFile, "IONAME.DAT", none, 0xE2AF);
     row("delete protected", DeleteFile, "SAFETY.JBI", none, 0x4020);
     row("delete running", DeleteFile, "WELD_A12.JBI", running, 0x2010);

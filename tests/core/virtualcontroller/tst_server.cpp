@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "protocol/requests.h"
+#include "virtualcontroller/alarms.h"
 #include "virtualcontroller/server.h"
 #include <QNetworkDatagram>
 #include <QSet>
@@ -59,6 +60,8 @@ private Q_SLOTS:
     void answersFromTheAddressedPort();
     void saysWhyItCannotStart();
     void showsADemoThatMoves();
+    void answersServoOnWithPower_data();
+    void answersServoOnWithPower();
     void answersEachClient();
     void answersManyAtOnce();
     void listensAfterABurst();
@@ -113,6 +116,39 @@ void ServerTest::showsADemoThatMoves()
         seen.insert(client.ask(server.port(), position).data());
     QVERIFY(seen.size() > 5);
     QCOMPARE(client.ask(server.port(), status).data().last(8).toHex(), QByteArray("cc00000040000000"));
+}
+
+/// Reference §0.1 h: the reply comes when power is on, and other requests are answered meanwhile.
+void ServerTest::answersServoOnWithPower_data()
+{
+    QTest::addColumn<bool>("isAlarmRaised");
+    QTest::addColumn<quint16>("code");
+    QTest::newRow("power comes") << false << quint16(0);
+    QTest::newRow("an alarm comes first") << true << quint16(0x3450);
+}
+
+void ServerTest::answersServoOnWithPower()
+{
+    QFETCH(bool, isAlarmRaised);
+    QFETCH(quint16, code);
+    Time now = 0ms;
+    Server server {onFreePorts([&] { return now; })};
+    QVERIFY(server.start());
+    Client client;
+    client.send(server.port(), protocol::ServoOn {}.request(), 7);
+    client.send(server.port(), status, 8);
+    QCOMPARE(protocol::parseReply(client.receive().data())->framing.id, quint8(8));
+    now = 599ms;
+    client.send(server.port(), status, 9);
+    QCOMPARE(protocol::parseReply(client.receive().data())->framing.id, quint8(9));
+    if (isAlarmRaised)
+        raiseAlarm(server.memory(), 1000, "MAJOR");
+    now = 600ms;
+    server.advanceToNow();
+    const QByteArray reply = client.receive().data();
+    QCOMPARE(protocol::parseReply(reply)->framing.id, quint8(7));
+    QCOMPARE(protocol::parseReply(reply)->addedStatus, code);
+    QCOMPARE(server.memory().status.isServoOn(), !isAlarmRaised);
 }
 
 void ServerTest::answersEachClient()

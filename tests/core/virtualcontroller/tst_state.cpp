@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "core/virtualcontroller/asking.h"
 #include "virtualcontroller/state.h"
 #include <QTest>
 
@@ -13,6 +14,7 @@ class StateTest : public QObject
 private Q_SLOTS:
     void takesEverything();
     void keepsWhatIsNotNamed();
+    void takesVariableCounts();
     void explainsMistakes_data();
     void explainsMistakes();
 };
@@ -81,6 +83,20 @@ void StateTest::keepsWhatIsNotNamed()
     QVERIFY(memory.files.contains("WELD_A12.JBI"));
 }
 
+/// More variables than the standard ones (reference §0.1 l).
+void StateTest::takesVariableCounts()
+{
+    Memory memory;
+    QVERIFY(applyState(R"({"variableCounts": {"variables": 250, "positionVariables": 256},
+        "variables": {"B249": 7, "P255": {"type": 0}}})",
+        memory));
+    QCOMPARE(int(memory.b[249].value), 7);
+    QVERIFY(memory.p[255]);
+    QCOMPARE(memory.i[0].value, qint16(120)); // what was there stays
+    QCOMPARE(ask(memory, {0x7A, 249, 1, protocol::Service::GetSingle, {}}).payload, QByteArray(1, 7));
+    QCOMPARE(ask(memory, {0x7A, 250, 1, protocol::Service::GetSingle, {}}).code, quint16(0xA001));
+}
+
 void StateTest::explainsMistakes_data()
 {
     QTest::addColumn<QByteArray>("json");
@@ -105,6 +121,7 @@ void StateTest::explainsMistakes_data()
     row(R"({"positions": {"X1": [1]}})", "positions has no control group X1");
     row(R"({"positions": {"R9": [1]}})", "positions has no control group R9");
     row(R"({"positions": {"R1": 1}})", "positions.R1 is not a list");
+    row(R"({"variableCounts": {"variables": 0}})", "variableCounts.variables is not a whole number");
     row(R"({"job": {"name": "NONE"}})", "job names a job that is not there");
     row(R"({"alarms": [{"code": 1}, {"code": 0}]})", "alarms[1].code is not");
     row(R"({"io": {"0": 1}})", "io.0 is not an I/O group");
