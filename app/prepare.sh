@@ -59,6 +59,8 @@ as_root() {
     if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
+apt() { as_root env DEBIAN_FRONTEND=noninteractive "$@" -qq -o DPkg::Lock::Timeout=600; }
+
 install_missing() {
     if ! command -v apt-get >/dev/null; then
         say "This system has no apt-get; Pendesk is built with what is installed (see README.md, \"Other systems\")."
@@ -70,23 +72,35 @@ install_missing() {
     if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
         die "That takes root, and there is no sudo: install them as root, then run this again."
     fi
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq || die "apt-get update failed; see above."
+    # What an interrupted run left half installed comes first.
+    if [ -n "$(dpkg --audit)" ]; then as_root dpkg --configure -a >&2 || die "dpkg cannot be repaired; see above."; fi
+    apt apt-get update >&2 || die "apt-get update failed; see above."
     chosen=$(printf '%s\n' "$needs" | while read -r need; do choose $need; done)
     say "To build and show Pendesk:" $chosen
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $chosen >&2 ||
-        die "apt-get could not install everything; see above."
+    apt apt-get install -y --no-install-recommends $chosen >&2 || die "apt-get could not install everything; see above."
 }
 
-# build PRESET [TARGET…]: configures once and builds what changed.
+# Qt wants a folder of this user's own; where nobody logged in there is none.
+if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
+    mkdir -p -m 700 build/runtime
+    XDG_RUNTIME_DIR=$PWD/build/runtime
+    export XDG_RUNTIME_DIR
+fi
+
+# configure PRESET: the first time, and when the presets changed.
+configure() {
+    if [ -f "build/$1/build.ninja" ] && [ ! CMakePresets.json -nt "build/$1/build.ninja" ]; then return; fi
+    say "Configuring (preset $1)…"
+    cmake --preset "$1" >build/configure.log 2>&1 || { cat build/configure.log >&2; die "Configuring failed; see above."; }
+    touch "build/$1/build.ninja"
+}
+
+# build PRESET [TARGET…]: configures if need be and builds what changed.
 build() {
     preset=$1
     shift
     mkdir -p build
-    if [ ! -f "build/$preset/build.ninja" ]; then
-        say "Configuring (preset $preset)…"
-        cmake --preset "$preset" >build/configure.log 2>&1 || { cat build/configure.log >&2; rm -f build/configure.log; die "Configuring failed; see above."; }
-        rm -f build/configure.log
-    fi
+    configure "$preset"
     say "Building (preset $preset)…"
     cmake --build --preset "$preset" ${1:+--target "$@"} >&2 || die "The build failed; see above."
 }

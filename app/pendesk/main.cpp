@@ -22,6 +22,15 @@ void name(const char *program)
     QCoreApplication::setApplicationVersion(QStringLiteral(PENDESK_VERSION));
 }
 
+QtMessageHandler otherMessages = nullptr;
+
+/// The offscreen plugin complains of every window that has a least size; nobody can help it.
+void dropNoise(QtMsgType type, const QMessageLogContext &context, const QString &text)
+{
+    if (text != u"This plugin does not support propagateSizeHints()")
+        otherMessages(type, context, text);
+}
+
 int complain(const QString &sentence, ExitCode code)
 {
     std::fprintf(stderr, "pendesk: %s\n", qUtf8Printable(sentence));
@@ -99,6 +108,7 @@ int main(int argc, char *argv[])
     if (!options->text.isEmpty())
         return std::fputs(qUtf8Printable(options->text), stdout) < 0 ? LocalFile : Done;
     QGuiApplication::setDesktopFileName(QStringLiteral(PENDESK_ID));
+    otherMessages = qInstallMessageHandler(dropNoise);
     QApplication application {argc, argv};
     return run(*options, application);
 }

@@ -4,6 +4,7 @@
 
 #include "options.h"
 #include "protocol/decoder.h"
+#include "protocol/hextext.h"
 #include "values/foreigntext.h"
 #include <QCoreApplication>
 #include <QJsonDocument>
@@ -20,16 +21,6 @@ namespace pendeskctl {
 namespace {
 
 constexpr int malformed = 1; ///< Exit code: a packet is none, or does not hold what it should.
-
-/// The bytes that `text` writes in hex, white space aside; nullopt if it is something else.
-std::optional<QByteArray> fromHex(const QString &text)
-{
-    const QByteArray digits = text.simplified().remove(u' ').toLatin1();
-    const QByteArray bytes = QByteArray::fromHex(digits);
-    if (digits.isEmpty() || bytes.toHex() != digits.toLower())
-        return std::nullopt;
-    return bytes;
-}
 
 void insertText(QJsonObject &object, const char *name, const QString &text)
 {
@@ -150,7 +141,7 @@ values::Result<Options> read(const QCommandLineParser &parser)
     Options options;
     options.asText = isSet("text");
     options.packets = wordsOf(parser);
-    if (isSet("reply-to") && !(options.request = fromHex(value("reply-to"))))
+    if (isSet("reply-to") && !(options.request = protocol::bytesFromHex(value("reply-to"))))
         return values::badInput(QStringLiteral("--reply-to takes a packet in hex"));
     if (isSet("port") && !(options.division = divisionOf(value("port"))))
         return values::badInput(QStringLiteral("--port takes 10040 or 10041"));
@@ -183,7 +174,7 @@ QStringList linesOfInput()
 
 DecodedPacket decodeHex(Decoder &decoder, const QString &hex)
 {
-    if (const auto bytes = fromHex(hex))
+    if (const auto bytes = protocol::bytesFromHex(hex))
         return decoder.decode(*bytes);
     DecodedPacket packet;
     packet.error = QStringLiteral("not hexadecimal: %1").arg(hex);

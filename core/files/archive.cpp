@@ -3,6 +3,7 @@
 #include "files/archive.h"
 
 #include "files/durable.h"
+#include "values/utc.h"
 #include <QDir>
 #include <QRegularExpression>
 
@@ -18,13 +19,12 @@ const QString pinnedName = QStringLiteral("pinned.txt");
 /// When the folder name says that its backup was begun; invalid if it is no such name.
 QDateTime timeOf(const QString &id)
 {
-    static const QRegularExpression form {QStringLiteral("^(\\d{4}-\\d\\d-\\d\\dT\\d{6})Z(-\\d+)?$")};
+    static const QRegularExpression form {QStringLiteral("^(\\d{4}-\\d\\d-\\d\\d)T(\\d{6})Z(-\\d+)?$")};
     const auto match = form.match(id);
     if (!match.hasMatch())
         return {};
-    QDateTime time = QDateTime::fromString(match.captured(1), QStringLiteral("yyyy-MM-dd'T'HHmmss"));
-    time.setTimeSpec(Qt::UTC);
-    return time;
+    return values::utc(QDate::fromString(match.captured(1), Qt::ISODate),
+        QTime::fromString(match.captured(2), QStringLiteral("HHmmss")));
 }
 
 ArchiveEntry entryOf(const QFileInfo &folder, const QStringList &pinned)

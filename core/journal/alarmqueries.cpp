@@ -4,6 +4,7 @@
 #include "journal/database.h"
 #include "journal/history.h"
 #include "journal/queries.h"
+#include "values/utc.h"
 #include <QVariant>
 
 using values::AlarmWithTexts;
@@ -13,7 +14,7 @@ namespace journal {
 
 namespace {
 
-QDateTime timeOf(const QVariant &value) { return QDateTime::fromMSecsSinceEpoch(value.toLongLong(), Qt::UTC); }
+QDateTime timeOf(const QVariant &value) { return values::utc(value.toLongLong()); }
 
 /// The columns of an alarm, in the order of bound() and alarmFrom().
 const QString alarmColumns = QStringLiteral("code, data, type, clock, name, extra, sub_text, reversed");

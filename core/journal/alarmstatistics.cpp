@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/alarmstatistics.h"
 
+#include "values/utc.h"
 #include <QList>
 #include <algorithm>
 
@@ -51,9 +52,10 @@ QList<CodeStatistics> AlarmStatistics::top(qsizetype count) const
 
 QDateTime controllerTime(const values::FixedText<16> &time)
 {
-    auto result = QDateTime::fromString(QString::fromLatin1(time.bytes()), QStringLiteral("yyyy/MM/dd HH:mm"));
-    result.setTimeSpec(Qt::UTC); // an hour is an hour, whatever this computer's zone does
-    return result;
+    // An hour is an hour, whatever this computer's zone does: taken for local time, 02:30 is missing once a year.
+    const QString text = QString::fromLatin1(time.bytes());
+    return values::utc(QDate::fromString(text.left(10), QStringLiteral("yyyy/MM/dd")),
+        QTime::fromString(text.mid(10), QStringLiteral(" HH:mm")));
 }
 
 } // namespace journal

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/database.h"
 #include "journal/queries.h"
+#include "values/utc.h"
 #include <QVariant>
 
 using values::Result;
@@ -15,7 +16,7 @@ namespace {
 OrderRecord orderFrom(const QSqlQuery &row)
 {
     OrderRecord order;
-    order.at = QDateTime::fromMSecsSinceEpoch(row.value(1).toLongLong(), Qt::UTC);
+    order.at = values::utc(row.value(1).toLongLong());
     QString *const texts[] {&order.user, &order.host, &order.level, &order.controller, &order.action, &order.subject,
         &order.oldValue, &order.newValue};
     for (int i = 0; i < int(std::size(texts)); ++i)

@@ -3,6 +3,7 @@
 #include "trend/archive.h"
 
 #include "trend/moment.h"
+#include "values/utc.h"
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
@@ -54,10 +55,11 @@ QString fileName(const Incident &incident)
 std::optional<IncidentEntry> entryOf(const QFileInfo &file)
 {
     const QString name = file.completeBaseName();
-    QDateTime at = QDateTime::fromString(name.section(u' ', 0, 0), QStringLiteral("yyyyMMdd'T'HHmmsszzz'Z'"));
+    const QString stamp = name.section(u' ', 0, 0);
+    const QDateTime at = values::utc(QDate::fromString(stamp.left(8), QStringLiteral("yyyyMMdd")),
+        QTime::fromString(stamp.mid(8), QStringLiteral("'T'HHmmsszzz'Z'")));
     if (!at.isValid())
         return std::nullopt;
-    at.setTimeSpec(Qt::UTC);
     return IncidentEntry {file.filePath(), toMoment(at), QUrl::fromPercentEncoding(name.section(u' ', 1).toLatin1())};
 }
 

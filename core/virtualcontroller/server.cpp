@@ -38,6 +38,23 @@ quint16 commandOf(QByteArrayView datagram)
     return datagram.size() < protocol::headerSize ? quint16 {0} : protocol::peekClientPacket(datagram).command;
 }
 
+template <typename Key> int countOf(const std::map<Key, int> &counts, Key key)
+{
+    const auto found = counts.find(key);
+    return found == counts.end() ? 0 : found->second;
+}
+
+template <typename Key>
+void countOne(Key key, QByteArrayView datagram, std::map<Key, int> &all, std::map<Key, int> &requests,
+    std::map<Key, QByteArray> &last)
+{
+    ++all[key];
+    if (last[key] == datagram)
+        return;
+    last[key] = datagram.toByteArray();
+    ++requests[key];
+}
+
 } // namespace
 
 Server::Server(const Options &options, QObject *parent)
@@ -110,11 +127,11 @@ Time Server::advanceToNow()
     return now;
 }
 
-int Server::arrived(quint16 command) const
-{
-    const auto found = m_arrivals.commands.find(command);
-    return found == m_arrivals.commands.end() ? 0 : found->second;
-}
+int Server::arrived(quint16 command) const { return countOf(m_arrivals.commands, command); }
+
+int Server::asked(quint16 command) const { return countOf(m_arrivals.requests, command); }
+
+int Server::asked(protocol::Service service) const { return countOf(m_arrivals.fileRequests, service); }
 
 /// One datagram an event, and a read in every event: after two events without one a QUdpSocket never tells again.
 void Server::receive(QUdpSocket *socket)
@@ -132,9 +149,10 @@ void Server::count(QUdpSocket *socket, QByteArrayView datagram)
     if (datagram.size() < protocol::headerSize)
         ++m_arrivals.broken;
     else if (socket == m_fileSocket)
-        ++m_arrivals.files[protocol::peekClientPacket(datagram).service];
+        countOne(protocol::peekClientPacket(datagram).service, datagram, m_arrivals.files, m_arrivals.fileRequests,
+            m_lastFiles);
     else
-        ++m_arrivals.commands[commandOf(datagram)];
+        countOne(commandOf(datagram), datagram, m_arrivals.commands, m_arrivals.requests, m_lastCommands);
 }
 
 /// Hands each packet of a plan over, at once or when its delay is over.

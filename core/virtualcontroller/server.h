@@ -31,7 +31,9 @@ struct Options {
 /// What has arrived at the sockets, faults or not: so often was it really sent.
 struct Arrivals {
     std::map<quint16, int> commands; ///< Robot port, by command number.
+    std::map<quint16, int> requests; ///< Robot port, without what only repeats the last one of that command.
     std::map<protocol::Service, int> files; ///< File port, by service; acknowledgements and blocks count too.
+    std::map<protocol::Service, int> fileRequests; ///< The same, without repeats.
     int broken = 0; ///< Shorter than a header.
 };
 
@@ -64,6 +66,9 @@ public:
 
     [[nodiscard]] const Arrivals &arrivals() const { return m_arrivals; }
     [[nodiscard]] int arrived(quint16 command) const;
+    /// How often it was asked for; a busy computer repeats what it was not answered in time.
+    [[nodiscard]] int asked(quint16 command) const;
+    [[nodiscard]] int asked(protocol::Service service) const;
 
 private:
     [[nodiscard]] values::Result<void> bind(QUdpSocket *socket, quint16 port);
@@ -84,6 +89,8 @@ private:
     Faults m_faults;
     Arrivals m_arrivals;
     std::vector<QNetworkDatagram> m_servoOrders; ///< Answered when servo power is on.
+    std::map<quint16, QByteArray> m_lastCommands; ///< The last datagram of each command: it may be repeated.
+    std::map<protocol::Service, QByteArray> m_lastFiles;
     QUdpSocket *m_robotSocket;
     QUdpSocket *m_fileSocket;
     QTimer *m_housekeeping;

@@ -241,7 +241,7 @@ void TestPendeskctl::readsInTheFewestPackets()
     QCOMPARE(ended.code, 0);
     QCOMPARE(json(ended).object().value(u"D099").toInt(), 297);
     QCOMPARE(json(ended).object().size(), 100);
-    QCOMPARE(terminal.server->arrived(0x304), 1); // 118 fit into one packet (reference §4.5)
+    QCOMPARE(terminal.server->asked(0x304), 1); // 118 fit into one packet (reference §4.5)
     QCOMPARE(terminal.server->arrived(0x7C), 0);
 }
 
@@ -301,7 +301,7 @@ void TestPendeskctl::writesWithAVerifiedProfile()
     const Ended ended = terminal.run(QStringLiteral("var set B005 77 --yes --profile cell ") + options, false);
     QVERIFY2(ended.code == code, ended.out + ended.err);
     QCOMPARE(terminal.server->memory().b[5].value, quint8(code == 0 ? 77 : 0));
-    QCOMPARE(terminal.server->arrived(0x7A), code == 0 ? 2 : 0); // the write, and the read back
+    QCOMPARE(terminal.server->asked(0x7A), code == 0 ? 2 : 0); // the write, and the read back
 }
 
 void TestPendeskctl::transfersFiles()

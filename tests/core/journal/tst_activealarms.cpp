@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/activealarms.h"
+#include "values/utc.h"
 #include <QTest>
 
 using namespace journal;
@@ -22,7 +23,7 @@ QList<AlarmWithTexts> inSlots(QList<AlarmWithTexts> alarms)
     return alarms;
 }
 
-QDateTime second(int number) { return QDateTime({2026, 1, 12}, {9, 0}, Qt::UTC).addSecs(number); }
+QDateTime second(int number) { return values::utc({2026, 1, 12}, {9, 0}).addSecs(number); }
 
 const QString cell = QStringLiteral("CELL 4");
 

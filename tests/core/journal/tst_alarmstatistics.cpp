@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/alarmstatistics.h"
 #include <QTest>
+#include <ctime>
 
 using namespace journal;
 using namespace std::chrono_literals;
@@ -23,6 +24,12 @@ class TestAlarmStatistics : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase()
+    {
+        qputenv("TZ", "CET-1CEST,M3.5.0,M10.5.0/3"); // the zone of this computer, where 2026/03/29 has no 02:30
+        tzset();
+    }
+
     void meanTimeBetween_data()
     {
         QTest::addColumn<QByteArrayList>("times"); // the oldest first
@@ -40,6 +47,8 @@ private Q_SLOTS:
         QTest::newRow("no date") << QByteArrayList {"2026/01/01 08:00", "????", "2026/01/01 09:00"} << -1;
         QTest::newRow("over the hour that a summer time skips")
             << QByteArrayList {"2026/03/29 01:30", "2026/03/29 03:30"} << 120;
+        QTest::newRow("in the hour that a summer time skips")
+            << QByteArrayList {"2026/03/29 01:30", "2026/03/29 02:30"} << 60;
     }
 
     void meanTimeBetween()

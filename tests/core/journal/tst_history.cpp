@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/history.h"
+#include "values/utc.h"
 #include <QRandomGenerator>
 #include <QTest>
 
@@ -144,7 +145,7 @@ private Q_SLOTS:
             const int burst = std::min(random.bounded(8) == 0 ? random.bounded(100) : random.bounded(6), room - 1);
             for (int i = 0; i < burst; ++i) {
                 minute += random.bounded(4) == 0 ? 1 : 0;
-                const auto clock = QDateTime({2026, 1, 1}, {8, 0}, Qt::UTC).addSecs(60 * minute);
+                const auto clock = values::utc({2026, 1, 1}, {8, 0}).addSecs(60 * minute);
                 const auto time = clock.toString(QStringLiteral("yyyy/MM/dd HH:mm")).toLatin1();
                 happened.prepend(entry(1 + random.bounded(codes), time));
             }

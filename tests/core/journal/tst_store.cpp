@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/store.h"
+#include "values/utc.h"
 #include <QElapsedTimer>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -38,7 +39,7 @@ template <typename Value> struct Answer {
 OrderRecord order(int minute, const char *action, Outcome outcome = Outcome::Done)
 {
     OrderRecord record;
-    record.at = QDateTime({2026, 1, 12}, {8, minute}, Qt::UTC);
+    record.at = values::utc({2026, 1, 12}, {8, minute});
     record.user = QStringLiteral("maria");
     record.host = QStringLiteral("desk-3");
     record.level = QStringLiteral("Operate");
@@ -139,7 +140,7 @@ private Q_SLOTS:
         const auto row = [](const char *name, const OrderFilter &filter, const QStringList &expected) {
             QTest::newRow(name) << filter << expected;
         };
-        const auto at = [](int minute) { return QDateTime({2026, 1, 12}, {8, minute}, Qt::UTC); };
+        const auto at = [](int minute) { return values::utc({2026, 1, 12}, {8, minute}); };
         const QString m1 = QStringLiteral("M001"), m2 = QStringLiteral("M002"), m3 = QStringLiteral("M003");
         row("all, the newest first", {}, {m3, m2, m1});
         row("from, inclusive", {at(2), {}, {}, {}, {}, {}, 0}, {m3, m2});
@@ -219,7 +220,7 @@ private Q_SLOTS:
     {
         Store store {place(), quick};
         const QString cell = QStringLiteral("CELL 4");
-        const auto seen = QDateTime({2026, 1, 12}, {9, 0}, Qt::UTC);
+        const auto seen = values::utc({2026, 1, 12}, {9, 0});
         const auto old = alarmEntry(4416, "2026/01/11 10:05");
         const auto pair = alarmEntry(4107, "1970/01/01 00:05");
         store.merge({cell, AlarmHistoryClass::Minor, {pair, old}, seen});
@@ -253,7 +254,7 @@ private Q_SLOTS:
     void sightingsAndNotesAreReplaced()
     {
         Store store {place(), quick};
-        const auto seen = QDateTime({2026, 1, 12}, {9, 0}, Qt::UTC);
+        const auto seen = values::utc({2026, 1, 12}, {9, 0});
         Sighting sighting {
             QStringLiteral("CELL 4"), alarmEntry(4416, "1970/01/01 00:05"), seen, seen, 1, AlarmState::Unacknowledged};
         store.keep(sighting);
@@ -281,7 +282,7 @@ private Q_SLOTS:
         Store store {place(), quick};
         store.append(order(1, "start", Outcome::Refused));
         store.merge({QStringLiteral("CELL 4"), AlarmHistoryClass::Minor, {alarmEntry(4416, "2026/01/11 10:05")},
-            QDateTime({2026, 1, 12}, {9, 0}, Qt::UTC)});
+            values::utc({2026, 1, 12}, {9, 0})});
         const QString csv = path() + QStringLiteral(".csv");
         const QString json = path() + QStringLiteral(".json");
         Answer<qint64> orders;

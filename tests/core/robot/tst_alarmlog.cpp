@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/alarmlog.h"
+#include "values/utc.h"
 #include "virtualcontroller/alarms.h"
 #include "virtualcontroller/server.h"
 #include <QSignalSpy>
@@ -205,7 +206,7 @@ private Q_SLOTS:
         QList<AlarmWithTexts> all;
         QVERIFY(cell.live());
         for (int i = 0; i < 150; ++i) {
-            const auto clock = QDateTime({2026, 1, 12}, {8, 0}, Qt::UTC).addSecs(20 * i);
+            const auto clock = values::utc({2026, 1, 12}, {8, 0}).addSecs(20 * i);
             all.prepend(entry(4100 + i % 3, clock.toString(QStringLiteral("yyyy/MM/dd HH:mm")).toLatin1()));
             if (i % 50 != 49)
                 continue;

@@ -33,8 +33,7 @@ private Q_SLOTS:
         QVERIFY(!library.isListing());
         QVERIFY(library.list().value->contains(job("WELD_A12.JBI")));
         QVERIFY(std::ranges::is_sorted(*library.list().value));
-        QCOMPARE(
-            cell.server->arrivals().files.at(protocol::Service::ListFiles), 2); // the request and its acknowledgement
+        QCOMPARE(cell.server->asked(protocol::Service::ListFiles), 2); // the request and its acknowledgement
     }
 
     void readsAJob()

@@ -5,6 +5,7 @@
 #include "robot/signalwatch.h"
 #include "robot/variablehistory.h"
 #include "settings/profilestore.h"
+#include "values/utc.h"
 #include "virtualcontroller/server.h"
 #include <QSettings>
 #include <QSignalSpy>
@@ -224,7 +225,7 @@ void TestNameBook::aVerifiedNumberingHoldsForItsSoftware()
     settings::Profile profile;
     profile.name = QStringLiteral("CELL 4");
     profile.host = QStringLiteral("127.0.0.1");
-    profile.numberingVerified = QDateTime(QDate(2026, 11, 10), QTime(8, 0), Qt::UTC);
+    profile.numberingVerified = values::utc(QDate(2026, 11, 10), QTime(8, 0));
     profile.numberingSoftware = QStringLiteral("YAS4.12.00A(EN/EN)-00");
     Access access;
     Arming arming;

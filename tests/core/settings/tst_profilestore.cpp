@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "settings/profilestore.h"
+#include "values/utc.h"
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSettings>
@@ -73,7 +74,7 @@ private Q_SLOTS:
             profile.name = QString::fromUtf8(name);
             store.save(profile);
         }
-        const QDateTime noon {{2026, 3, 1}, {12, 0}, Qt::UTC};
+        const QDateTime noon = values::utc({2026, 3, 1}, {12, 0});
         store.noteConnected(QStringLiteral("B"), noon);
         store.noteConnected(QStringLiteral("D"), noon.addSecs(1));
         store.noteConnected(QStringLiteral("B"), noon.addMSecs(1500).toLocalTime());

@@ -28,6 +28,12 @@ struct Lamps : Room {
         QTest::keyClick(field, Qt::Key_Return);
         return current();
     }
+    /// Waits until the status, which every page needs, has been read so often.
+    [[nodiscard]] bool statusIsRead(int times)
+    {
+        const int before = harness.server->arrived(0x72);
+        return QTest::qWaitFor([this, before, times] { return harness.server->arrived(0x72) >= before + times; });
+    }
 };
 
 } // namespace
@@ -93,9 +99,9 @@ void TestIoPage::onlyRowsInViewAreRead()
     QTRY_VERIFY(room.harness.server->arrived(0x300) > before);
     room.harness.window.view().openPage(0);
     QCoreApplication::processEvents();
-    QTest::qWait(300); // what is on its way arrives
+    QVERIFY(room.statusIsRead(2)); // what is on its way arrives
     const int hidden = room.harness.server->arrived(0x300);
-    QTest::qWait(600);
+    QVERIFY(room.statusIsRead(10));
     QCOMPARE(room.harness.server->arrived(0x300), hidden); // a hidden page polls nothing
 }
 
@@ -221,7 +227,7 @@ void TestIoPage::pictures()
     for (const int bits : {0, 3, 5, 2, 7}) {
         room.memory().io[2701] = quint8(bits);
         QTRY_COMPARE(int(watch->traces()[0].spans.back().isOn.value_or(false)), bits & 1);
-        QTest::qWait(300);
+        QVERIFY(room.statusIsRead(3)); // so long each state is in the picture
     }
     room.picture(QStringLiteral("io-watch"));
     room.tabs()->setCurrentIndex(0);

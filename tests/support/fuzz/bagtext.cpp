@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Pendesk authors
+#include "support/fuzz/target.h"
+
+#include "files/bagtext.h"
+
+namespace fuzz {
+
+namespace {
+
+/// What a manifest says is what was written, to the byte; what bag-info.txt says is written so that it reads the same.
+void take(QByteArrayView data)
+{
+    const QByteArray text = data.toByteArray();
+    if (const auto manifest = files::manifestFrom(text))
+        require(files::toText(*manifest) == text, "a manifest is not as it was written");
+    const auto info = files::bagInfoFrom(text);
+    const auto again = files::bagInfoFrom(files::toText(info, 0, 0));
+    require(again.results.size() == info.results.size() && again.controller == info.controller,
+        "what a backup says of itself changed on the way");
+}
+
+Seeds seeds()
+{
+    files::BagInfo info;
+    info.controller = QStringLiteral("CELL 4");
+    info.host = QStringLiteral("192.168.1.31");
+    info.results = {{"HOME.JBI", {}}, {"*.CND", values::Error {values::ErrorKind::Refused, {}}}};
+    return {files::toText(info, 12, 1), QByteArray(64, 'a') + "  data/A.JBI\n", QByteArray(64, 'a') + "  ../A.JBI\n",
+        "Bagging-Date: 2026-01-31\n continued\nno label\n"};
+}
+
+} // namespace
+
+extern const Target bagText;
+const Target bagText {"bagText", take, seeds};
+
+} // namespace fuzz
