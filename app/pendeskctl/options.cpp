@@ -3,10 +3,10 @@
 #include "options.h"
 
 #include "settings/commandline.h"
+#include "settings/settingsfile.h"
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSettings>
 #include <cstdio>
 #ifdef Q_OS_UNIX
 #include <unistd.h>
@@ -39,6 +39,7 @@ void addCommonOptions(QCommandLineParser &parser, bool needsController)
     parser.addOption({QStringLiteral("json"), tr("Print JSON.")});
     parser.addOption({QStringLiteral("yes"), tr("Yes, write: what changes something does nothing without it.")});
     parser.addOption({QStringLiteral("quiet"), tr("No progress and no remarks.")});
+    settings::addLogOption(parser);
 }
 
 Result<void> readController(Call &call, const QCommandLineParser &parser)
@@ -74,7 +75,7 @@ ExitCode exitCodeOf(const Error &error)
 
 Result<settings::Profile> profileOf(const QCommandLineParser &parser)
 {
-    QSettings stored;
+    settings::SettingsFile stored;
     const auto named = settings::namedController(parser, settings::ProfileStore {stored});
     if (!named)
         return tl::unexpected(named.error());
@@ -111,6 +112,7 @@ std::optional<ExitCode> read(Call &call, QCommandLineParser &parser, const VerbH
     parser.addOptions(help.options);
     if (const auto end = parse(parser, arguments, help.words))
         return end;
+    settings::applyLogOption(parser);
     call.words = parser.positionalArguments();
     call.isJson = parser.isSet(QStringLiteral("json"));
     call.isQuiet = parser.isSet(QStringLiteral("quiet"));

@@ -5,8 +5,8 @@
 #include "robot/signalwatch.h"
 #include "robot/variablehistory.h"
 #include "settings/profilestore.h"
+#include "settings/settingsfile.h"
 #include "virtualcontroller/server.h"
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -54,7 +54,7 @@ private Q_SLOTS:
 void TestNameBook::readsTheControllersFiles()
 {
     QTemporaryDir folder;
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     virtualcontroller::Options options;
     options.port = 0;
     options.filePort = 0;
@@ -86,7 +86,7 @@ void TestNameBook::readsTheControllersFiles()
 void TestNameBook::aMissingFileIsSaidOnce()
 {
     QTemporaryDir folder;
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     virtualcontroller::Options options;
     options.port = 0;
     options.filePort = 0;
@@ -109,7 +109,7 @@ void TestNameBook::aMissingFileIsSaidOnce()
 void TestNameBook::localNamesAndRemarksAreKept()
 {
     QTemporaryDir folder;
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     settings::ProfileStore store {file};
     settings::Profile profile;
     profile.name = QStringLiteral("CELL 4 / Schweißen");
