@@ -22,6 +22,7 @@ libexpected-dev libtl-expected-dev
 libarchive-dev
 libpcap-dev
 pkgconf
+libsqlite3-dev
 fonts-inter
 fonts-dejavu-core
 '

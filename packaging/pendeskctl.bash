@@ -4,7 +4,7 @@
 _pendeskctl() {
     local word=${COMP_WORDS[COMP_CWORD]} verb=${COMP_WORDS[1]} before=${COMP_WORDS[COMP_CWORD-1]}
     local controller='--host --port --file-port --profile --timeout'
-    local words="$controller --numbering --json --yes --quiet --help"
+    local words="$controller --numbering --json --yes --quiet --log --help"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
         words='status info alarms position jobs io registers var files backup verify show compare restore watch decode
@@ -33,8 +33,8 @@ _pendeskctl() {
             position) words="$words --pulse" ;;
             files) words="$words --to --replace" ;;
             backup) words="$words --keep --keep-days --all-prm" ;;
-            show) words='--json --encoding --yes --quiet --help' ;;
-            verify) words='--json --yes --quiet --help' ;;
+            show) words='--json --encoding --yes --quiet --log --help' ;;
+            verify) words='--json --yes --quiet --log --help' ;;
             compare) words="$words --noise" ;;
             restore) words="$words --dry-run" ;;
             watch) words="$words --every --count" ;;

@@ -3,7 +3,6 @@
 #include "ui/backupage.h"
 
 #include "ui/pages/files/backupchoices.h"
-#include <QtConcurrent>
 
 namespace ui {
 
@@ -29,18 +28,22 @@ BackupAge::BackupAge(const QString &controller, const settings::Notes &notes, QO
     : QObject(parent), m_controller {controller}, m_notes {notes}
 {
     connect(&m_timer, &QTimer::timeout, this, &BackupAge::look);
-    connect(&m_looking, &QFutureWatcherBase::finished, this,
-        [this] { Q_EMIT told(backupWord(m_looking.result(), QDateTime::currentDateTimeUtc())); });
     m_timer.start(5s);
     QTimer::singleShot(0, this, &BackupAge::look);
 }
 
 void BackupAge::look()
 {
-    if (m_controller.isEmpty() || m_looking.isRunning())
+    if (m_controller.isEmpty() || m_isLooking)
         return;
     const files::Archive archive {pages::readBackupChoices(m_notes).folder, m_controller};
-    m_looking.setFuture(QtConcurrent::run([archive] { return archive.newestComplete(); }));
+    m_isLooking = true;
+    m_disk.run(
+        this, [archive] { return archive.newestComplete(); },
+        [this](const QDateTime &taken) {
+            m_isLooking = false;
+            Q_EMIT told(backupWord(taken, QDateTime::currentDateTimeUtc()));
+        });
 }
 
 } // namespace ui

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "files/worker.h"
 #include "settings/notes.h"
 #include "ui/widgets/shown.h"
 #include <QDateTime>
-#include <QFutureWatcher>
 #include <QTimer>
 
 namespace ui {
@@ -31,7 +31,8 @@ private:
     QString m_controller;
     settings::Notes m_notes;
     QTimer m_timer;
-    QFutureWatcher<QDateTime> m_looking; ///< A folder in the network can keep one waiting.
+    bool m_isLooking = false;
+    files::Worker m_disk; ///< A folder in the network can keep one waiting.
 };
 
 } // namespace ui

@@ -3,6 +3,7 @@
 #include "options.h"
 
 #include <QCoreApplication>
+#include <QHostAddress>
 #include <QTimer>
 #include <csignal>
 #include <cstdio>
@@ -76,6 +77,11 @@ int main(int argc, char *argv[])
         std::fputs(qPrintable(options->ended), stdout);
         return Done;
     }
+    if (!QHostAddress {options->server.address}.isLoopback())
+        std::fprintf(stderr,
+            "pendesk-sim: Warning: %s can be reached from other computers. Whoever finds this virtual controller can "
+            "use it; it knows no password, as a real one.\n",
+            qPrintable(options->server.address));
     const auto servers = startAll(*options);
     if (!servers)
         return complain(servers.error());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "options.h"
 
+#include "settings/commandline.h"
 #include "virtualcontroller/state.h"
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -40,6 +41,7 @@ void addOptions(QCommandLineParser &parser)
     parser.addOption(option("script", tr("Let the events of this timeline happen (JSON)."), "file"));
     parser.addOption(option("count", tr("Serve so many controllers; the ports count upwards."), "number", "1"));
     parser.addOption(option("faults", tr("Faults on the wire, as \"seed=7; any reply lose p=0.1\"."), "table"));
+    settings::addLogOption(parser);
     parser.addOption(option("demo", tr("Start with servo power on and a job running.")));
 }
 
@@ -161,6 +163,7 @@ Result<SimOptions> parseOptions(const QStringList &arguments)
         return values::badInput(parser.errorText());
     if (!parser.positionalArguments().isEmpty())
         return values::badInput(QStringLiteral("\"%1\" is not an option.").arg(parser.positionalArguments().first()));
+    settings::applyLogOption(parser);
     const auto settings = settingsOf(parser);
     if (!settings)
         return tl::unexpected(settings.error());

@@ -3,12 +3,13 @@
 #include "demo.h"
 #include "options.h"
 #include "pictures.h"
+#include "settings/settingsfile.h"
 #include "timings.h"
 #include "ui/appearance.h"
 #include "ui/mainwindow.h"
 #include "ui/presence.h"
 #include <QApplication>
-#include <QSettings>
+#include <QStatusBar>
 #include <cstdio>
 
 using namespace pendesk;
@@ -60,13 +61,13 @@ values::Result<std::optional<settings::Profile>> wanted(const Options &options, 
 values::Result<Options> readOptions(int argc, char *argv[])
 {
     const QCoreApplication application {argc, argv};
-    QSettings file;
+    settings::SettingsFile file;
     return parse(QCoreApplication::arguments(), settings::ProfileStore {file});
 }
 
 int run(const Options &options, QApplication &application)
 {
-    QSettings file;
+    settings::SettingsFile file;
     settings::ProfileStore store {file};
     ui::wear(application, wantedLook(options, store));
     Demo demo;
@@ -86,6 +87,13 @@ int run(const Options &options, QApplication &application)
     std::optional<Timings> timings;
     if (options.wantsTimings)
         timings.emplace(window);
+    QStatusBar *status = window.statusBar();
+    const auto say = [status](const QString &sentence) { status->showMessage(sentence); };
+    QObject::connect(&file, &settings::SettingsFile::failed, status, say);
+    QObject::connect(&file, &settings::SettingsFile::noticed, status, say);
+    QObject::connect(&file, &settings::SettingsFile::recovered, status, &QStatusBar::clearMessage);
+    if (!file.notice().isEmpty())
+        say(file.notice());
     window.show();
     Pictures pictures {window};
     if (!options.pictures.isEmpty())

@@ -34,6 +34,7 @@ void describe(QCommandLineParser &parser)
     add("contact-sheet",
         Texts::tr("Write one picture of all pages, light and dark, in English, German and Japanese, and end."),
         QStringLiteral("FILE"));
+    settings::addLogOption(parser);
     add("timings", Texts::tr("Print when the window was painted and when the first status was live."));
 }
 
@@ -82,6 +83,7 @@ values::Result<Options> parse(const QStringList &arguments, const settings::Prof
     describe(parser);
     if (!parser.parse(arguments))
         return values::badInput(parser.errorText());
+    settings::applyLogOption(parser);
     Options options;
     if (parser.isSet(QStringLiteral("help")))
         options.text = parser.helpText();

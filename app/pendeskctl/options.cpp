@@ -3,12 +3,12 @@
 #include "options.h"
 
 #include "settings/commandline.h"
+#include "settings/settingsfile.h"
 #include "values/foreigntext.h"
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
-#include <QSettings>
 #include <cstdio>
 #ifdef Q_OS_UNIX
 #include <unistd.h>
@@ -57,6 +57,7 @@ void addCommonOptions(QCommandLineParser &parser, bool needsController)
     parser.addOption({QStringLiteral("json"), tr("Print JSON.")});
     parser.addOption({QStringLiteral("yes"), tr("Yes, write: what changes something does nothing without it.")});
     parser.addOption({QStringLiteral("quiet"), tr("No progress and no remarks.")});
+    settings::addLogOption(parser);
 }
 
 Result<void> readController(Call &call, const QCommandLineParser &parser)
@@ -106,7 +107,7 @@ ExitCode exitCodeOf(const Error &error)
 
 Result<settings::Profile> profileOf(const QCommandLineParser &parser)
 {
-    QSettings stored;
+    settings::SettingsFile stored;
     const auto named = settings::namedController(parser, settings::ProfileStore {stored});
     if (!named)
         return tl::unexpected(named.error());
@@ -175,6 +176,7 @@ std::optional<ExitCode> read(Call &call, QCommandLineParser &parser, const VerbH
     parser.addOptions(help.options);
     if (const auto end = parse(parser, arguments, help.words))
         return end;
+    settings::applyLogOption(parser);
     call.words = wordsOf(parser);
     if (const auto end = countWords(call.words, help, arguments.first()))
         return end;

@@ -6,7 +6,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
-#include <QSaveFile>
 #include <archive.h>
 #include <archive_entry.h>
 #include <memory>
@@ -38,7 +37,7 @@ tl::unexpected<values::Error> failed(const QString &path, archive *zip)
 QStringList filesUnder(const QString &folder)
 {
     QStringList paths;
-    QDirIterator walk {folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories};
+    QDirIterator walk {folder, QDir::Files | QDir::Hidden | QDir::NoSymLinks, QDirIterator::Subdirectories};
     while (walk.hasNext())
         paths << walk.next();
     paths.sort();
@@ -64,11 +63,10 @@ Result<void> add(archive *zip, const QString &path, const QString &name)
 
 } // namespace
 
-Result<void> writeZip(const QString &folder, const QString &target)
+namespace {
+
+Result<void> writeTo(QIODevice &file, const QString &folder, const QString &target, const IsWanted &isWanted)
 {
-    QSaveFile file {target};
-    if (!file.open(QIODevice::WriteOnly))
-        return failed(target, file.errorString());
     const Writer zip {archive_write_new(), &archive_write_free};
     archive_write_set_format_zip(zip.get());
     archive_write_set_options(zip.get(), "zip:hdrcharset=UTF-8");
@@ -77,12 +75,22 @@ Result<void> writeZip(const QString &folder, const QString &target)
         return failed(target, zip.get());
     const QDir above = QFileInfo {folder}.absoluteDir();
     for (const QString &path : filesUnder(folder)) {
+        if (isWanted && !isWanted())
+            return values::failure(values::ErrorKind::Cancelled);
         if (auto added = add(zip.get(), path, above.relativeFilePath(path)); !added)
             return added;
     }
     if (archive_write_close(zip.get()) != ARCHIVE_OK)
-        return failed(target, zip.get());
-    return file.commit() ? Result<void> {} : failed(target, file.errorString());
+        return failed(target,
+            file.errorString().isEmpty() ? QString::fromUtf8(archive_error_string(zip.get())) : file.errorString());
+    return {};
+}
+
+} // namespace
+
+Result<void> writeZip(const QString &folder, const QString &target, const IsWanted &isWanted)
+{
+    return replaceFile(target, [&](QIODevice &file) { return writeTo(file, folder, target, isWanted); });
 }
 
 } // namespace files

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "files/worker.h"
 #include "values/error.h"
 #include <QString>
 
@@ -9,6 +10,8 @@ namespace files {
 
 /// Packs a folder with everything in it into one .zip file, in the order of the names and under the name of the folder.
 /// What stood at `target` is replaced by the whole file or stays as it was. LocalFile says which file and why.
-[[nodiscard]] values::Result<void> writeZip(const QString &folder, const QString &target);
+/// Links are left out. Cancelled as soon as `isWanted` says no, which is asked between two files.
+[[nodiscard]] values::Result<void> writeZip(
+    const QString &folder, const QString &target, const IsWanted &isWanted = {});
 
 } // namespace files

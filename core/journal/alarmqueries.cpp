@@ -54,6 +54,63 @@ AlarmWithTexts alarmFrom(const QSqlQuery &row, int column)
     return one;
 }
 
+AlarmTally tallyFrom(const QSqlQuery &row)
+{
+    AlarmTally tally;
+    tally.code = row.value(0).toUInt();
+    tally.name = values::FixedText<32> {row.value(1).toByteArray()};
+    tally.count = row.value(2).toLongLong();
+    tally.steps = row.value(3).toLongLong();
+    tally.minutes = row.value(4).toLongLong();
+    if (!row.value(5).isNull())
+        tally.last = timeOf(row.value(5));
+    tally.newest = row.value(6).toLongLong();
+    return tally;
+}
+constexpr auto tallyColumns = "code, name, times, steps, minutes, last_at, newest";
+
+Result<QList<AlarmTally>> tallies(Database &database, const QString &condition, const QVariantList &bound)
+{
+    const auto statement =
+        QStringLiteral("SELECT %1 FROM tallies WHERE %2").arg(QLatin1String(tallyColumns), condition);
+    return database.run(statement, bound).map([](QSqlQuery *query) {
+        QList<AlarmTally> found;
+        while (query->next())
+            found += tallyFrom(*query);
+        query->finish();
+        return found;
+    });
+}
+
+Result<void> keep(Database &database, const QString &controller, int list, const AlarmTally &tally)
+{
+    const auto statement = QStringLiteral(
+        "INSERT INTO tallies (controller, list, %1) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) "
+        "ON CONFLICT (controller, list, code) DO UPDATE SET name = excluded.name, times = excluded.times, "
+        "steps = excluded.steps, minutes = excluded.minutes, last_at = excluded.last_at, newest = excluded.newest");
+    const QVariant last =
+        tally.last.isValid() ? QVariant {stamp(tally.last)} : QVariant {QMetaType {QMetaType::LongLong}};
+    return database
+        .run(statement.arg(QLatin1String(tallyColumns)),
+            {text(controller), list, tally.code, bytes(tally.name), tally.count, tally.steps, tally.minutes, last,
+                tally.newest})
+        .map([](QSqlQuery *) {});
+}
+
+/// Counts one entry, which is the newest of its list.
+Result<void> count(
+    Database &database, const QString &controller, int list, const AlarmWithTexts &entry, const QDateTime &seen)
+{
+    const auto kept = tallies(database, QStringLiteral("controller = ? AND list = ? AND code = ?"),
+        {text(controller), list, entry.alarm.code});
+    if (!kept)
+        return tl::unexpected(kept.error());
+    AlarmTally tally = kept->value(0);
+    tally.add(entry);
+    tally.newest = std::max(tally.newest + 1, stamp(seen));
+    return keep(database, controller, list, tally);
+}
+
 Result<void> insert(Database &database, const HistoryReading &reading, const AlarmWithTexts &entry)
 {
     const auto statement =
@@ -61,7 +118,8 @@ Result<void> insert(Database &database, const HistoryReading &reading, const Ala
     return database
         .run(statement.arg(alarmColumns),
             QVariantList {text(reading.controller), int(reading.list), stamp(reading.seen)} + bound(entry))
-        .map([](QSqlQuery *) {});
+        .and_then(
+            [&](QSqlQuery *) { return count(database, reading.controller, int(reading.list), entry, reading.seen); });
 }
 
 QString listed(const AlarmFilter &filter)
@@ -69,8 +127,15 @@ QString listed(const AlarmFilter &filter)
     return filter.list ? QStringLiteral(" AND list = %1").arg(int(*filter.list)) : QString();
 }
 
-/// `controller` twice: an empty one means all of them.
-QVariantList both(const AlarmFilter &filter) { return {text(filter.controller), text(filter.controller)}; }
+/// An empty name means all of them; then there is nothing to bind either.
+QString ofController(const AlarmFilter &filter)
+{
+    return filter.controller.isEmpty() ? QString() : QStringLiteral(" AND controller = ?");
+}
+QVariantList controllerOf(const AlarmFilter &filter)
+{
+    return filter.controller.isEmpty() ? QVariantList {} : QVariantList {filter.controller};
+}
 
 } // namespace
 
@@ -117,11 +182,10 @@ Result<void> write(Database &database, const Note &note)
 
 Result<Page<AlarmRecord>> alarms(Database &database, const AlarmFilter &filter, const Cursor &from, int count)
 {
-    const auto statement =
-        QStringLiteral("SELECT id, controller, list, seen_at, %1 FROM alarms "
-                       "WHERE (? = '' OR controller = ?) AND id < ? AND id > ?%2 ORDER BY id DESC LIMIT %3")
-            .arg(alarmColumns, listed(filter), QString::number(count));
-    return database.run(statement, both(filter) + QVariantList {from.id, filter.newerThan})
+    const auto statement = QStringLiteral("SELECT id, controller, list, seen_at, %1 FROM alarms "
+                                          "WHERE id < ? AND id > ?%2%3 ORDER BY id DESC LIMIT %4")
+                               .arg(alarmColumns, ofController(filter), listed(filter), QString::number(count));
+    return database.run(statement, QVariantList {from.id, filter.newerThan} + controllerOf(filter))
         .map([count](QSqlQuery *query) {
             Page<AlarmRecord> page;
             Cursor last;
@@ -158,15 +222,43 @@ Result<QList<Sighting>> sightings(Database &database, const QString &controller,
 
 Result<QList<CodeStatistics>> statistics(Database &database, const AlarmFilter &filter, int count)
 {
-    const auto statement =
-        QStringLiteral("SELECT %1 FROM alarms WHERE (? = '' OR controller = ?)%2 ORDER BY controller, list, id");
-    return database.run(statement.arg(alarmColumns, listed(filter)), both(filter)).map([count](QSqlQuery *query) {
-        AlarmStatistics statistics;
-        while (query->next())
-            statistics.add(alarmFrom(*query, 0));
-        query->finish();
-        return statistics.top(count);
+    const QString condition = QStringLiteral("times > 0") + ofController(filter) + listed(filter);
+    return tallies(database, condition, controllerOf(filter)).map([count](const QList<AlarmTally> &found) {
+        return topCodes(found, count);
     });
+}
+
+Result<void> countKeptAlarms(Database &database)
+{
+    constexpr int pageSize = 1000;
+    const auto statement = QStringLiteral("SELECT controller, list, seen_at, id, %1 FROM alarms WHERE id > ? "
+                                          "ORDER BY id LIMIT %2")
+                               .arg(alarmColumns)
+                               .arg(pageSize);
+    struct Kept {
+        QString controller;
+        int list;
+        QDateTime seen;
+        AlarmWithTexts entry;
+    };
+    for (qint64 last = 0;;) {
+        const auto query = database.run(statement, {last});
+        if (!query)
+            return tl::unexpected(query.error());
+        QList<Kept> page; // a statement may not write while another reads (PostgreSQL)
+        while ((*query)->next()) {
+            const QSqlQuery &row = **query;
+            page += {row.value(0).toString(), row.value(1).toInt(), timeOf(row.value(2)), alarmFrom(row, 4)};
+            last = row.value(3).toLongLong();
+        }
+        (*query)->finish();
+        for (const Kept &kept : page) {
+            if (auto done = count(database, kept.controller, kept.list, kept.entry, kept.seen); !done)
+                return done;
+        }
+        if (page.size() < pageSize)
+            return {};
+    }
 }
 
 Result<QList<Note>> notes(Database &database)

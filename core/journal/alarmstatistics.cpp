@@ -20,30 +20,51 @@ bool isStep(const QDateTime &from, const QDateTime &to)
     return from.isValid() && to.isValid() && from <= to && isSet(from) == isSet(to);
 }
 
-} // namespace
-
-void AlarmStatistics::add(const values::AlarmWithTexts &entry)
+/// Adds a tally of the same code in another list or controller.
+void join(AlarmTally &sum, const AlarmTally &tally)
 {
-    Tally &tally = m_tallies[entry.alarm.code];
-    const QDateTime time = controllerTime(entry.alarm.time);
-    if (isStep(tally.statistics.last, time)) {
-        tally.minutes += tally.statistics.last.secsTo(time) / 60;
-        ++tally.steps;
+    if (sum.count == 0 || tally.newest > sum.newest) {
+        sum.code = tally.code;
+        sum.name = tally.name;
+        sum.last = tally.last;
+        sum.newest = tally.newest;
     }
-    tally.statistics.code = entry.alarm.code;
-    tally.statistics.name = entry.alarm.name;
-    tally.statistics.last = time;
-    ++tally.statistics.count;
+    sum.count += tally.count;
+    sum.steps += tally.steps;
+    sum.minutes += tally.minutes;
 }
 
-QList<CodeStatistics> AlarmStatistics::top(qsizetype count) const
+CodeStatistics statisticsOf(const AlarmTally &sum)
 {
-    QList<CodeStatistics> result;
-    for (const auto &[code, tally] : m_tallies) {
-        result.append(tally.statistics);
-        if (tally.steps > 0)
-            result.last().meanBetween = std::chrono::minutes {tally.minutes / tally.steps};
+    CodeStatistics statistics {sum.code, sum.name, int(sum.count), std::nullopt, sum.last};
+    if (sum.steps > 0)
+        statistics.meanBetween = std::chrono::minutes {sum.minutes / sum.steps};
+    return statistics;
+}
+
+} // namespace
+
+void AlarmTally::add(const values::AlarmWithTexts &entry)
+{
+    const QDateTime time = controllerTime(entry.alarm.time);
+    if (isStep(last, time)) {
+        minutes += last.secsTo(time) / 60;
+        ++steps;
     }
+    code = entry.alarm.code;
+    name = entry.alarm.name;
+    last = time;
+    ++count;
+}
+
+QList<CodeStatistics> topCodes(const QList<AlarmTally> &tallies, qsizetype count)
+{
+    std::unordered_map<quint32, AlarmTally> sums;
+    for (const AlarmTally &tally : tallies)
+        join(sums[tally.code], tally);
+    QList<CodeStatistics> result;
+    for (const auto &[code, sum] : sums)
+        result.append(statisticsOf(sum));
     std::ranges::sort(result, [](const CodeStatistics &a, const CodeStatistics &b) {
         return std::pair {-a.count, a.code} < std::pair {-b.count, b.code};
     });

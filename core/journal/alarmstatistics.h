@@ -19,24 +19,25 @@ struct CodeStatistics {
     bool operator==(const CodeStatistics &) const = default;
 };
 
-/// Counts a history. Times that are no dates, steps back and the step from a clock that was never set (before 2000) to
-/// one that was tell nothing of the time between two alarms and are left out.
-class AlarmStatistics
-{
-public:
-    /// The next entry of a list; the oldest first.
-    void add(const values::AlarmWithTexts &entry);
-    /// The most frequent first; of equal ones the smaller code.
-    [[nodiscard]] QList<CodeStatistics> top(qsizetype count) const;
+/// The count of one code in one list of one controller. It grows entry by entry and is kept beside the history, so that
+/// no question has to read the history again. Times that are no dates, steps back and the step from a clock that was
+/// never set (before 2000) to one that was tell nothing of the time between two alarms and are left out.
+struct AlarmTally {
+    quint32 code = 0;
+    values::FixedText<32> name; ///< As in the newest entry.
+    qint64 count = 0;
+    qint64 steps = 0; ///< Differences between two entries that tell something.
+    qint64 minutes = 0; ///< Their sum.
+    QDateTime last; ///< The controller's time of the newest entry; invalid if it is no date.
+    qint64 newest = 0; ///< Grows with time: of two tallies the one with the higher number ends later.
 
-private:
-    struct Tally {
-        CodeStatistics statistics;
-        qint64 minutes = 0; ///< Sum of `steps` differences.
-        int steps = 0;
-    };
-    std::unordered_map<quint32, Tally> m_tallies;
+    /// The next entry of the list.
+    void add(const values::AlarmWithTexts &entry);
 };
+
+/// One row a code, from the tallies of all lists and controllers asked for: the most frequent first, of equal ones the
+/// smaller code, at most `count`.
+[[nodiscard]] QList<CodeStatistics> topCodes(const QList<AlarmTally> &tallies, qsizetype count);
 
 /// The time in an alarm, "YYYY/MM/DD hh:mm", as a time without zone; invalid if it is none.
 [[nodiscard]] QDateTime controllerTime(const values::FixedText<16> &time);

@@ -2,13 +2,22 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/database.h"
 
+#include "files/durable.h"
+#include "journal/queries.h"
 #include "journal/schema.h"
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QSqlDriver>
 #include <QSqlError>
 #include <atomic>
+#ifdef PENDESK_HAS_SQLITE
+#include <sqlite3.h>
+#endif
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
 
 using values::ErrorKind;
 using values::Result;
@@ -31,11 +40,28 @@ QString freshName()
     return QStringLiteral("journal-%1").arg(++count);
 }
 
-void configure(QSqlDatabase &database, const QUrl &place)
+/// The inode; 0 if there is no regular file, or none that could be told from another.
+quint64 fileNumber(const QString &path)
+{
+#ifdef Q_OS_UNIX
+    struct stat about {
+    };
+    const bool isThere = ::stat(QFile::encodeName(path).constData(), &about) == 0 && S_ISREG(about.st_mode);
+    return isThere ? about.st_ino : 0;
+#else
+    return QFileInfo {path}.isFile() ? 1 : 0;
+#endif
+}
+
+/// Who writes for longer is waited for by trying again, so that the end of the program need not wait for them.
+constexpr auto busyOptions = "QSQLITE_BUSY_TIMEOUT=800";
+
+void configure(QSqlDatabase &database, const QUrl &place, Database::Use use)
 {
     if (place.isLocalFile()) {
         database.setDatabaseName(place.toLocalFile());
-        database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000"));
+        const auto readOnly = use == Database::Use::Reading ? QStringLiteral(";QSQLITE_OPEN_READONLY") : QString();
+        database.setConnectOptions(QLatin1String(busyOptions) + readOnly);
         return;
     }
     database.setHostName(place.host());
@@ -46,21 +72,45 @@ void configure(QSqlDatabase &database, const QUrl &place)
     database.setConnectOptions(QStringLiteral("connect_timeout=5"));
 }
 
+#ifdef PENDESK_HAS_SQLITE
+/// The handle, if Qt uses the very library that this program is linked with.
+sqlite3 *handleOf(const QSqlDatabase &database)
+{
+    const QVariant handle = database.driver()->handle();
+    if (qstrcmp(handle.typeName(), "sqlite3*") != 0)
+        return nullptr;
+    QSqlQuery query {QStringLiteral("SELECT sqlite_source_id()"), database};
+    const bool isSame = query.next() && query.value(0).toString() == QLatin1String(sqlite3_sourceid());
+    return isSame ? *static_cast<sqlite3 *const *>(handle.constData()) : nullptr;
+}
+constexpr int stepsBetweenQuestions = 20'000; ///< A few milliseconds.
+#endif
+
 } // namespace
 
-Database::Database(QUrl place) : m_place {std::move(place)} { }
+Database::Database(QUrl place, Use use) : m_place {std::move(place)}, m_use {use} { }
 
 Database::~Database() { close(); }
 
+/// Somebody may have removed the file, or put another one there: writing on would write into nothing.
+bool Database::isSameFile() const { return !isFile() || fileNumber(m_place.toLocalFile()) == m_file; }
+
 Result<void> Database::open()
 {
-    if (!m_connection.isEmpty() && isFile() && !QFileInfo(m_place.toLocalFile()).isFile())
-        close(); // somebody removed the file: writing on would write into nothing
+    if (!m_connection.isEmpty() && !isSameFile())
+        close();
     if (!m_connection.isEmpty() && !m_isDamaged)
         return {};
-    Result<void> opened = m_isDamaged ? setAside() : Result<void> {};
+    const auto setAsideIfWriting = [this]() -> Result<void> {
+        close();
+        if (m_use == Use::Writing)
+            return setAside();
+        m_isDamaged = false; // whoever writes puts a new one there
+        return {};
+    };
+    Result<void> opened = m_isDamaged ? setAsideIfWriting() : Result<void> {};
     opened = opened.and_then([this] { return connect(); });
-    if (!opened && m_isDamaged)
+    if (!opened && m_isDamaged && m_use == Use::Writing)
         opened = setAside().and_then([this] { return connect(); });
     if (!opened)
         close();
@@ -76,15 +126,43 @@ void Database::close()
 
 Result<void> Database::connect()
 {
-    if (isFile() && !QFileInfo(m_place.toLocalFile()).dir().mkpath(QStringLiteral(".")))
+    const QString path = m_place.toLocalFile();
+    const QDir folder = QFileInfo {path}.dir();
+    if (isFile() && m_use == Use::Writing && !folder.exists() && !files::makePrivateFolder(folder.path()))
         return values::failure(ErrorKind::LocalFile, tr("The folder of the journal cannot be made."));
     m_connection = freshName();
     QSqlDatabase database =
         QSqlDatabase::addDatabase(isFile() ? QStringLiteral("QSQLITE") : QStringLiteral("QPSQL"), m_connection);
-    configure(database, m_place);
+    configure(database, m_place, m_use);
     if (!database.open())
         return failure(database.lastError());
-    return prepare();
+    if (isFile() && m_use == Use::Writing)
+        QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner); // before SQLite makes files beside it
+    m_file = fileNumber(path);
+    interruptUnless(m_isWanted);
+    return m_use == Use::Writing ? prepare() : checkVersion();
+}
+
+void Database::interruptUnless(std::function<bool()> isWanted)
+{
+    m_isWanted = std::move(isWanted);
+#ifdef PENDESK_HAS_SQLITE
+    if (m_connection.isEmpty() || !isFile())
+        return;
+    const auto ask = [](void *wanted) { return (*static_cast<std::function<bool()> *>(wanted))() ? 0 : 1; };
+    if (sqlite3 *handle = handleOf(QSqlDatabase::database(m_connection, false)))
+        sqlite3_progress_handler(handle, stepsBetweenQuestions, m_isWanted ? +ask : nullptr, &m_isWanted);
+#endif
+}
+
+Result<void> Database::checkVersion()
+{
+    const auto present = version();
+    if (!present)
+        return tl::unexpected(present.error());
+    if (*present != schemaSteps(sqliteDialect()).size())
+        return values::failure(ErrorKind::LocalFile, QStringLiteral("another version"));
+    return {};
 }
 
 Result<void> Database::prepare()
@@ -123,6 +201,8 @@ Result<void> Database::migrate()
             if (auto done = execute(statement); !done)
                 return done;
         }
+        if (auto done = step == 1 ? countKeptAlarms(*this) : Result<void> {}; !done)
+            return done;
         if (auto done = execute(QStringLiteral("INSERT INTO journal_version VALUES (%1)").arg(step + 1)); !done)
             return done;
     }

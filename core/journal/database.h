@@ -16,19 +16,27 @@ namespace journal {
 class Database
 {
 public:
-    explicit Database(QUrl place);
+    enum class Use {
+        Writing, ///< Makes the file and its tables, and sets a damaged one aside.
+        Reading, ///< Answers beside the one that writes, from a database that is as it should be.
+    };
+    explicit Database(QUrl place, Use use = Use::Writing);
     ~Database();
     Q_DISABLE_COPY_MOVE(Database)
 
-    /// Opens it and brings the tables up to date, unless that is done. A damaged file is set aside under another name
-    /// and a new one begun.
+    /// Opens it, unless that is done. For writing the tables are brought up to date; a damaged file is set aside under
+    /// another name and a new one begun.
     [[nodiscard]] values::Result<void> open();
     void close();
+    [[nodiscard]] const QUrl &place() const { return m_place; }
 
     /// Runs one statement with a value for each "?". The query is good until the next run of the same statement.
     [[nodiscard]] values::Result<QSqlQuery *> run(const QString &statement, const QVariantList &bound = {});
     /// All of `work` or nothing of it. No other desk writes meanwhile.
     [[nodiscard]] values::Result<void> inTransaction(const std::function<values::Result<void>()> &work);
+
+    /// Statements end with an error as soon as `isWanted` says no; it is asked some hundred times a second.
+    void interruptUnless(std::function<bool()> isWanted);
 
     /// The last error says that the file is damaged. The next open() sets it aside.
     [[nodiscard]] bool isDamaged() const { return m_isDamaged; }
@@ -37,7 +45,9 @@ public:
 
 private:
     [[nodiscard]] bool isFile() const { return m_place.isLocalFile(); }
+    [[nodiscard]] bool isSameFile() const;
     [[nodiscard]] values::Result<void> connect();
+    [[nodiscard]] values::Result<void> checkVersion();
     [[nodiscard]] values::Result<void> prepare();
     [[nodiscard]] values::Result<void> migrate();
     [[nodiscard]] values::Result<int> version();
@@ -46,6 +56,9 @@ private:
     [[nodiscard]] tl::unexpected<values::Error> failure(const QSqlError &error);
 
     QUrl m_place;
+    Use m_use;
+    quint64 m_file = 0; ///< Which file is open, whatever name it has by now.
+    std::function<bool()> m_isWanted;
     QString m_connection; ///< Qt's name of the connection; empty while closed.
     std::unordered_map<QString, QSqlQuery> m_statements; ///< Prepared ones, by their text.
     QString m_setAside;

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/exports.h"
 
+#include "files/durable.h"
 #include "journal/queries.h"
-#include <QSaveFile>
 
 using values::Result;
 
@@ -33,15 +33,17 @@ QVariantList rowOf(const AlarmRecord &record, const protocol::TextCodec &codec)
 /// Hands `write` a table in `path`, and keeps the file if that went well.
 template <typename Write> Result<qint64> toFile(const QString &path, Format format, const char *columns, Write write)
 {
-    QSaveFile file {path};
-    if (!file.open(QIODevice::WriteOnly))
-        return values::failure(values::ErrorKind::LocalFile, file.errorString());
-    TableWriter table {file, format, names(columns)};
-    Result<qint64> count = write(table);
-    table.end();
-    if (count && !file.commit())
-        return values::failure(values::ErrorKind::LocalFile, file.errorString());
-    return count;
+    qint64 count = 0;
+    const auto writeAll = [&](QIODevice &file) -> Result<void> {
+        TableWriter table {file, format, names(columns)};
+        const Result<qint64> written = write(table);
+        if (!written)
+            return tl::unexpected(written.error());
+        table.end();
+        count = *written;
+        return {};
+    };
+    return files::replaceFile(path, writeAll).map([&] { return count; });
 }
 
 /// Writes every page of `ask`, which takes a cursor.

@@ -11,8 +11,6 @@ namespace journal {
 
 namespace {
 
-/// SQL takes an empty QString that is null for NULL.
-
 OrderRecord orderFrom(const QSqlQuery &row)
 {
     OrderRecord order;
@@ -79,9 +77,14 @@ Result<qint64> newestId(Database &database)
     });
 }
 
+/// Leaps from name to name in an index instead of reading every order.
 Result<QStringList> namesIn(Database &database, const char *column)
 {
-    const auto statement = QStringLiteral("SELECT DISTINCT %1 FROM orders ORDER BY %1").arg(QLatin1String(column));
+    const auto statement =
+        QStringLiteral("WITH RECURSIVE names(name) AS (SELECT MIN(%1) FROM orders UNION ALL "
+                       "SELECT (SELECT MIN(%1) FROM orders WHERE %1 > name) FROM names WHERE name IS NOT NULL) "
+                       "SELECT name FROM names WHERE name IS NOT NULL")
+            .arg(QLatin1String(column));
     return database.run(statement).map([](QSqlQuery *query) {
         QStringList names;
         while (query->next())

@@ -17,6 +17,9 @@ class Database;
 /// Replaces the note of that code; an empty note is removed.
 [[nodiscard]] values::Result<void> write(Database &database, const Note &note);
 
+/// Counts the alarms that came before there were tallies.
+[[nodiscard]] values::Result<void> countKeptAlarms(Database &database);
+
 [[nodiscard]] values::Result<Page<OrderRecord>> orders(
     Database &database, const OrderFilter &filter, const Cursor &from, int count);
 /// All actions that the journal has, in the order of the alphabet.

@@ -32,6 +32,20 @@ QStringList firstVersion(const SqlDialect &dialect)
     };
 }
 
+/// What is asked often is answered without reading everything: alarms are counted as they come, and the orders of one
+/// action or controller lie together.
+QStringList secondVersion(const SqlDialect &dialect)
+{
+    return {
+        sql(R"(CREATE TABLE tallies (controller TEXT NOT NULL, list INTEGER NOT NULL, code BIGINT NOT NULL, name %1,
+            times BIGINT NOT NULL, steps BIGINT NOT NULL, minutes BIGINT NOT NULL, last_at BIGINT,
+            newest BIGINT NOT NULL, PRIMARY KEY (controller, list, code)))")
+            .arg(dialect.bytes),
+        sql("CREATE INDEX orders_by_action ON orders (action, tried_at, id)"),
+        sql("CREATE INDEX orders_by_controller ON orders (controller, tried_at, id)"),
+    };
+}
+
 } // namespace
 
 const SqlDialect &sqliteDialect()
@@ -48,6 +62,6 @@ const SqlDialect &postgresDialect()
     return dialect;
 }
 
-QList<QStringList> schemaSteps(const SqlDialect &dialect) { return {firstVersion(dialect)}; }
+QList<QStringList> schemaSteps(const SqlDialect &dialect) { return {firstVersion(dialect), secondVersion(dialect)}; }
 
 } // namespace journal

@@ -5,7 +5,9 @@
 #include "journal/database.h"
 #include "journal/exports.h"
 #include "journal/queries.h"
-#include <QPointer>
+#include "journal/unsaved.h"
+#include <QDeadlineTimer>
+#include <QLoggingCategory>
 #include <QStandardPaths>
 
 using values::Result;
@@ -14,52 +16,54 @@ namespace journal {
 
 namespace {
 
+Q_LOGGING_CATEGORY(journalLog, "pendesk.journal")
+
 constexpr std::size_t mostInBatch = 5000;
 constexpr int mostSightings = 5000;
+constexpr std::chrono::milliseconds patience {2000}; ///< At the end of the program.
+constexpr std::chrono::milliseconds forTheRest {400}; ///< Of it, to leave behind what could not be written.
 
 } // namespace
 
-/// Lives on the store's thread and owns the connection.
-class Store::Worker : public QObject
+/// Asks with the database open. A file that turns out to be damaged is set aside, and the question asked again.
+template <typename Value> Store::Answer<Value> Store::attempt(Database &database, const Question<Value> &question)
 {
-public:
-    explicit Worker(const QUrl &place) : m_database {place} { }
+    for (bool isAgain = false;; isAgain = true) {
+        Result<Value> answer = database.open().and_then([&] { return question(database); });
+        if (answer)
+            return {answer, database.takeSetAside()};
+        database.close();
+        if (isAgain || !database.isDamaged())
+            return {answer, database.takeSetAside()};
+    }
+}
 
-    Result<void> write(const std::vector<Change> &batch)
-    {
-        return attempt<void>([&](Database &database) {
-            return batch.empty() ? Result<void> {} : database.inTransaction([&] { return writeAll(database, batch); });
+namespace {
+
+template <typename Changes> Result<void> writeAll(Database &database, const Changes &changes)
+{
+    for (const auto &change : changes) {
+        auto done = std::visit([&](const auto &record) { return journal::write(database, record); }, change);
+        if (!done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+/// What an earlier program could not write comes first.
+std::function<Store::Answer<void>()> Store::writing(const std::shared_ptr<Database> &database, const Batch &batch)
+{
+    return [database, batch] {
+        return attempt<void>(*database, [&](Database &opened) {
+            return takeInUnsaved(opened).and_then([&] {
+                return batch->empty() ? Result<void> {}
+                                      : opened.inTransaction([&] { return writeAll(opened, *batch); });
+            });
         });
-    }
-
-    /// Asks with the database open. A file that turns out to be damaged is set aside, and the question asked again.
-    template <typename Value> Result<Value> attempt(const Question<Value> &question)
-    {
-        for (bool isAgain = false;; isAgain = true) {
-            Result<Value> answer = m_database.open().and_then([&] { return question(m_database); });
-            if (answer)
-                return answer;
-            m_database.close();
-            if (isAgain || !m_database.isDamaged())
-                return answer;
-        }
-    }
-
-    QString takeSetAside() { return m_database.takeSetAside(); }
-
-private:
-    static Result<void> writeAll(Database &database, const std::vector<Change> &batch)
-    {
-        for (const Change &change : batch) {
-            auto done = std::visit([&](const auto &record) { return journal::write(database, record); }, change);
-            if (!done)
-                return done;
-        }
-        return {};
-    }
-
-    Database m_database;
-};
+    };
+}
 
 QUrl Store::defaultPlace()
 {
@@ -70,12 +74,15 @@ QUrl Store::defaultPlace()
 Store::Store(const QUrl &place, QObject *parent) : Store(place, Options {}, parent) { }
 
 Store::Store(const QUrl &place, const Options &options, QObject *parent)
-    : QObject {parent}, m_options {options}, m_worker {new Worker {place}}
+    : QObject {parent},
+      m_options {options},
+      m_place {place},
+      m_writing {std::make_shared<Database>(place)},
+      m_reading {std::make_shared<Database>(place, Database::Use::Reading)},
+      m_writer {[database = m_writing] { database->close(); }},
+      m_reader {[database = m_reading] { database->close(); }}
 {
-    m_worker->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
-    m_thread.setObjectName(QStringLiteral("journal"));
-    m_thread.start();
+    connect(&m_written, &QFutureWatcherBase::finished, this, &Store::onWritten);
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Store::flush);
     flush(); // an empty batch: whether the store can be opened at all is said at once
@@ -83,12 +90,33 @@ Store::Store(const QUrl &place, const Options &options, QObject *parent)
 
 Store::~Store()
 {
-    if (m_trouble.isEmpty()) {
-        auto rest = std::make_shared<std::vector<Change>>(m_waiting.begin(), m_waiting.end());
-        QMetaObject::invokeMethod(m_worker, [worker = m_worker, rest] { static_cast<void>(worker->write(*rest)); });
+    const QDeadlineTimer end {patience};
+    m_written.disconnect(this);
+    const Changes rest = unwritten();
+    if (!rest.empty()) {
+        files::Worker last;
+        QFuture<QString> leaving = last.run([place = m_place, rest] { return leaveUnsaved(place, rest); });
+        const QString words = last.waitForDone(forTheRest) ? leaving.result() : tr("the disk does not answer");
+        qCWarning(journalLog).noquote() << words;
     }
-    QMetaObject::invokeMethod(m_worker, [] { QThread::currentThread()->quit(); }); // after what was ordered before
-    m_thread.wait();
+    for (files::Worker *worker : {&m_reader, &m_writer})
+        worker->end(std::chrono::milliseconds {end.remainingTime()});
+}
+
+/// What the database does not have although it was tried until the time was over.
+Store::Changes Store::unwritten()
+{
+    const QDeadlineTimer end {patience - forTheRest};
+    const auto isWritten = [&](const QFuture<Answer<void>> &writing) {
+        const std::chrono::milliseconds left {end.remainingTime()};
+        return m_writer.waitForDone(left) && writing.isResultReadyAt(0) && writing.result().result;
+    };
+    if (m_batch && !isWritten(m_written.future()))
+        putBack(*m_batch);
+    else if (m_trouble.isEmpty() && !m_waiting.empty()
+        && isWritten(m_writer.run(writing(m_writing, std::make_shared<Changes>(m_waiting.begin(), m_waiting.end())))))
+        m_waiting.clear();
+    return {m_waiting.begin(), m_waiting.end()};
 }
 
 void Store::merge(const HistoryReading &reading)
@@ -137,15 +165,13 @@ void Store::flush()
     for (const Change &change : *m_batch)
         m_waitingWeight -= weight(change);
     m_waiting.erase(m_waiting.begin(), end);
-    QMetaObject::invokeMethod(m_worker, [this, batch = m_batch] {
-        const auto result = m_worker->write(*batch);
-        QMetaObject::invokeMethod(
-            this, [=, this, path = m_worker->takeSetAside()] { onWritten(batch, result, path); }, Qt::QueuedConnection);
-    });
+    m_written.setFuture(m_writer.run(writing(m_writing, m_batch)));
 }
 
-void Store::onWritten(const Batch &batch, const Result<void> &result, const QString &setAsidePath)
+void Store::onWritten()
 {
+    const auto [result, setAsidePath] = m_written.result();
+    const Batch batch = m_batch;
     m_batch.reset();
     if (!setAsidePath.isEmpty())
         Q_EMIT setAside(setAsidePath);
@@ -166,7 +192,7 @@ void Store::onWritten(const Batch &batch, const Result<void> &result, const QStr
         Q_EMIT written();
 }
 
-void Store::putBack(const std::vector<Change> &batch)
+void Store::putBack(const Changes &batch)
 {
     m_waiting.insert(m_waiting.begin(), batch.begin(), batch.end());
     for (const Change &change : batch)
@@ -182,19 +208,45 @@ void Store::fail(const QString &why)
         Q_EMIT failed(reason);
 }
 
-template <typename Value> void Store::ask(Question<Value> question, QObject *context, Handler<Value> handler)
+template <typename Value>
+void Store::askWriter(const Question<Value> &question, const QPointer<QObject> &context, const Handler<Value> &handler)
 {
-    const QPointer<QObject> guard {context};
-    const auto post = [this, guard, question = std::move(question), handler = std::move(handler)] {
-        QMetaObject::invokeMethod(m_worker, [=, this] {
-            const auto answer = m_worker->attempt<Value>(question);
-            const auto tell = [this, guard, handler, answer, path = m_worker->takeSetAside()] {
-                if (!path.isEmpty())
-                    Q_EMIT setAside(path);
-                if (guard)
-                    handler(answer);
-            };
-            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    const auto work = [database = m_writing, question] { return attempt<Value>(*database, question); };
+    m_writer.run(this, work, [this, context, handler](const Answer<Value> &answer) {
+        if (!answer.setAside.isEmpty())
+            Q_EMIT setAside(answer.setAside);
+        if (context)
+            handler(answer.result);
+    });
+}
+
+/// The reading thread answers; what it cannot open is for the one that writes, which makes and mends.
+template <typename Value> void Store::ask(Question<Value> question, QObject *context, Handler<Value> handler, Need need)
+{
+    using Found = std::optional<Result<Value>>;
+    const auto work = [database = m_reading, question](const files::IsWanted &isWanted) -> Found {
+        database->interruptUnless(isWanted);
+        if (!database->open())
+            return std::nullopt;
+        const Result<Value> answer = question(*database);
+        database->interruptUnless({});
+        return answer || !database->isDamaged() ? Found {answer} : std::nullopt;
+    };
+    const auto post = [this, work, question, handler, need, guard = QPointer<QObject> {context}] {
+        if (!guard)
+            return;
+        const auto tell = [this, question, handler, guard](const Found &found) {
+            if (!found)
+                askWriter<Value>(question, guard, handler);
+            else if (guard)
+                handler(*found);
+        };
+        auto *asking = new QObject {this}; // of this store and of the context, whichever goes first
+        if (need == Need::WhileShown)
+            connect(guard, &QObject::destroyed, asking, &QObject::deleteLater);
+        m_reader.run(asking, work, [asking, tell](const Found &found) {
+            asking->deleteLater();
+            tell(found);
         });
     };
     if (!m_trouble.isEmpty() || (!m_batch && m_waiting.empty()))
@@ -248,20 +300,20 @@ void Store::exportOrders(
     const OrderFilter &filter, const QString &path, Format format, QObject *context, Handler<qint64> handler)
 {
     ask<qint64>([=](Database &database) { return exports::orders(database, filter, path, format); }, context,
-        std::move(handler));
+        std::move(handler), Need::Always);
 }
 
 void Store::exportAlarms(const AlarmFilter &filter, const protocol::TextCodec &codec, const QString &path,
     Format format, QObject *context, Handler<qint64> handler)
 {
     ask<qint64>([=](Database &database) { return exports::alarms(database, filter, codec, path, format); }, context,
-        std::move(handler));
+        std::move(handler), Need::Always);
 }
 
 void Store::exportNotes(const QString &path, Format format, QObject *context, Handler<qint64> handler)
 {
-    ask<qint64>(
-        [=](Database &database) { return exports::notes(database, path, format); }, context, std::move(handler));
+    ask<qint64>([=](Database &database) { return exports::notes(database, path, format); }, context, std::move(handler),
+        Need::Always);
 }
 
 } // namespace journal

@@ -2,12 +2,13 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "files/worker.h"
 #include "journal/filter.h"
 #include "journal/tablewriter.h"
 #include "protocol/text.h"
 #include "values/error.h"
 #include <QObject>
-#include <QThread>
+#include <QPointer>
 #include <QTimer>
 #include <QUrl>
 #include <deque>
@@ -23,9 +24,10 @@ class Database;
 /// The journal: what was tried and what alarms came, for ever. An embedded SQLite file, or a PostgreSQL server that
 /// several desks share.
 ///
-/// All SQL runs on a thread of its own; no call here waits. What is appended is written a moment later, many records in
-/// one transaction. While the store fails everything goes on: records wait in memory, are tried again and again, and
-/// beyond a number the oldest are dropped and counted. A damaged file is set aside, never deleted.
+/// All SQL runs on two threads, one that writes and one that answers; no call here waits. What is appended is written a
+/// moment later, many records in one transaction. While the store fails everything goes on: records wait in memory, are
+/// tried again and again, and beyond a number the oldest are dropped and counted. A damaged file is set aside, never
+/// deleted.
 class Store : public QObject
 {
     Q_OBJECT
@@ -36,8 +38,8 @@ public:
         std::chrono::milliseconds retry {2000}; ///< Between tries while the store fails.
         qsizetype mostWaiting = 20'000; ///< Records in memory; an entry of a history reading counts as one.
     };
-    /// Runs on the thread of the store, from the event loop, unless `context` is gone by then. The error says why the
-    /// store cannot answer.
+    /// Runs on the thread of the store, from the event loop, unless `context` is gone by then; a question of a context
+    /// that is gone is not asked any further. The error says why the store cannot answer.
     template <typename Value> using Handler = std::function<void(const values::Result<Value> &)>;
 
     /// journal.sqlite in the user's folder of application data.
@@ -46,7 +48,8 @@ public:
     /// `place`: a file URL, or postgresql://user@host/database.
     explicit Store(const QUrl &place, const Options &options, QObject *parent = nullptr);
     explicit Store(const QUrl &place = defaultPlace(), QObject *parent = nullptr);
-    /// Writes what waits, if the store works.
+    /// Writes what waits, if the store works, for at most two seconds. Orders and notes that are not written by then
+    /// are left in a small file beside the journal, for the next store to take in; the log says so.
     ~Store() override;
 
     void append(const OrderRecord &order) { add(order); }
@@ -93,22 +96,42 @@ Q_SIGNALS:
 
 private:
     using Change = std::variant<OrderRecord, Sighting, HistoryReading, Note>;
-    using Batch = std::shared_ptr<const std::vector<Change>>;
+    using Changes = std::vector<Change>;
+    using Batch = std::shared_ptr<const Changes>;
     template <typename Value> using Question = std::function<values::Result<Value>(Database &)>;
-    class Worker;
+    /// What the writing thread answers: the value, and where a damaged journal was put meanwhile.
+    template <typename Value> struct Answer {
+        values::Result<Value> result;
+        QString setAside;
+    };
+    enum class Need {
+        WhileShown, ///< Nobody asks for the answer any more when the context is gone.
+        Always, ///< A file comes of it.
+    };
 
+    template <typename Value> static Answer<Value> attempt(Database &database, const Question<Value> &question);
+    [[nodiscard]] static std::function<Answer<void>()> writing(
+        const std::shared_ptr<Database> &database, const Batch &batch);
     static qsizetype weight(const Change &change);
     void add(Change change);
     void flush();
     void bound();
-    void putBack(const std::vector<Change> &batch);
-    void onWritten(const Batch &batch, const values::Result<void> &result, const QString &setAsidePath);
+    void putBack(const Changes &batch);
+    void onWritten();
     void fail(const QString &why);
-    template <typename Value> void ask(Question<Value> question, QObject *context, Handler<Value> handler);
+    [[nodiscard]] Changes unwritten();
+    template <typename Value>
+    void ask(Question<Value> question, QObject *context, Handler<Value> handler, Need need = Need::WhileShown);
+    template <typename Value>
+    void askWriter(const Question<Value> &question, const QPointer<QObject> &context, const Handler<Value> &handler);
 
     Options m_options;
-    QThread m_thread;
-    Worker *m_worker;
+    QUrl m_place;
+    std::shared_ptr<Database> m_writing; ///< Each is for its worker alone.
+    std::shared_ptr<Database> m_reading;
+    files::Worker m_writer;
+    files::Worker m_reader;
+    QFutureWatcher<Answer<void>> m_written; ///< Of m_batch.
     std::deque<Change> m_waiting;
     qsizetype m_waitingWeight = 0;
     Batch m_batch; ///< On its way.

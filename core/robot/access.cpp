@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/access.h"
 
+#include <QPointer>
+
 using namespace std::chrono_literals;
 
 namespace robot {
@@ -31,12 +33,47 @@ Access::Access(AccessRules &rules, QObject *parent) : QObject {parent}, m_rules 
 
 bool Access::needsPasscode(Level level) const { return level > m_level && m_rules.settings().passcode.has_value(); }
 
-Access::Answer Access::enter(Level level, const QString &passcode)
+Access::Answer Access::enter(Level level)
 {
     if (m_rules.isMonitorOnly() && level != Level::Monitor)
         return Answer::MonitorOnly;
-    if (needsPasscode(level) && !m_rules.settings().passcode->matches(passcode))
+    return needsPasscode(level) ? Answer::WrongPasscode : goTo(level);
+}
+
+void Access::enter(Level level, const QString &passcode, QObject *context, std::function<void(Answer)> handler)
+{
+    const settings::Passcode kept = m_rules.settings().passcode.value_or(settings::Passcode {});
+    const QPointer<QObject> guard {context};
+    m_checking.run(
+        this, [kept, passcode] { return check(kept, passcode); },
+        [this, level, kept, guard, handler = std::move(handler)](const Check &found) {
+            if (guard)
+                handler(onChecked(level, kept, found));
+        });
+}
+
+Access::Check Access::check(const settings::Passcode &passcode, const QString &text)
+{
+    Check found {passcode.matches(text), std::nullopt};
+    if (found.isRight && passcode.isOutdated())
+        found.renewed = settings::Passcode::of(text);
+    return found;
+}
+
+Access::Answer Access::onChecked(Level level, const settings::Passcode &kept, const Check &found)
+{
+    if (m_rules.isMonitorOnly() && level != Level::Monitor)
+        return Answer::MonitorOnly;
+    const bool isStill = m_rules.settings().passcode == kept; // nobody set another one meanwhile
+    if (needsPasscode(level) && !(found.isRight && isStill))
         return Answer::WrongPasscode;
+    if (found.renewed && isStill)
+        m_rules.setSettings({m_rules.settings().idleTime, found.renewed});
+    return goTo(level);
+}
+
+Access::Answer Access::goTo(Level level)
+{
     m_rules.noteActivity(now());
     setLevel(level);
     return Answer::Entered;

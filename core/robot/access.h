@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "files/worker.h"
 #include "robot/level.h"
 #include "robot/reading.h"
 #include "settings/accesssettings.h"
@@ -57,8 +58,11 @@ public:
     [[nodiscard]] Level level() const { return m_level; }
     /// A passcode is set, and `level` is higher than the present one.
     [[nodiscard]] bool needsPasscode(Level level) const;
-    /// Going down is always possible and asks for nothing.
-    Answer enter(Level level, const QString &passcode = {});
+    /// Without a passcode. Going down is always possible and asks for nothing.
+    Answer enter(Level level);
+    /// With one, which takes its time to check: `handler` runs from the event loop, unless `context` is gone by then. A
+    /// passcode that was kept with fewer iterations than are enough today is kept anew.
+    void enter(Level level, const QString &passcode, QObject *context, std::function<void(Answer)> handler);
 
     /// Falls back if nobody has used key or mouse for the idle time. It calls itself every few seconds.
     void tick(Time now);
@@ -67,11 +71,19 @@ Q_SIGNALS:
     void levelChanged();
 
 private:
+    struct Check {
+        bool isRight = false;
+        std::optional<settings::Passcode> renewed;
+    };
+    [[nodiscard]] static Check check(const settings::Passcode &passcode, const QString &text);
+    Answer onChecked(Level level, const settings::Passcode &kept, const Check &found);
+    Answer goTo(Level level);
     void setLevel(Level level);
 
     AccessRules &m_rules;
     Level m_level = Level::Monitor;
     QTimer m_clock;
+    files::Worker m_checking;
 };
 
 } // namespace robot

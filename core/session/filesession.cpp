@@ -3,6 +3,7 @@
 #include "session/filesession.h"
 
 #include "protocol/codes.h"
+#include <QLoggingCategory>
 #include <QRandomGenerator>
 
 using protocol::Service;
@@ -13,6 +14,8 @@ using values::Result;
 namespace session {
 
 namespace {
+
+Q_LOGGING_CATEGORY(sessionLog, "pendesk.session")
 
 /// Some controllers may say "no file of that type" by refusing (reference §7.4).
 bool saysEmptyList(const Error &error)
@@ -115,7 +118,7 @@ void FileSession::send(const QByteArray &packet)
 {
     // What does not leave is like what is lost: the transfer repeats it once, then says that nobody answered.
     if (const auto sent = m_transport.send(packet); !sent)
-        qWarning("file port: %s", qUtf8Printable(sent.error().detail));
+        qCWarning(sessionLog, "file port: %s", qUtf8Printable(sent.error().detail));
 }
 
 void FileSession::act(const Transfer::Step &step)

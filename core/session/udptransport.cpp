@@ -12,13 +12,16 @@ UdpTransport::UdpTransport(const QHostAddress &address, quint16 port, QObject *p
 {
     connect(m_socket, &QUdpSocket::readyRead, this, &UdpTransport::receive);
     m_socket->setProxy(QNetworkProxy::NoProxy); // a controller is in this network; asking for the desktop's takes time
-    m_socket->bind(QHostAddress {QHostAddress::AnyIPv4}, 0);
+    if (!m_socket->bind(QHostAddress {QHostAddress::AnyIPv4}, 0))
+        m_bindError = m_socket->errorString();
 }
 
 UdpTransport::~UdpTransport() = default;
 
 values::Result<void> UdpTransport::send(QByteArrayView datagram)
 {
+    if (!m_bindError.isEmpty()) // without a port of its own no answer could come
+        return values::failure(values::ErrorKind::Network, m_bindError);
     if (m_socket->writeDatagram(datagram.data(), datagram.size(), m_address, m_port) == datagram.size())
         return {};
     return values::failure(values::ErrorKind::Network, m_socket->errorString());

@@ -29,6 +29,7 @@ private:
     QHostAddress m_address;
     quint16 m_port;
     QUdpSocket *m_socket;
+    QString m_bindError; ///< Why the socket has no port; empty if it has.
     std::array<char, 2048> m_buffer; ///< Larger than any packet, so that an oversized one is noticed.
 };
 

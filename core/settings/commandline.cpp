@@ -4,6 +4,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QLoggingCategory>
 #include <QRegularExpression>
 
 using values::Result;
@@ -71,6 +72,18 @@ void addConnectionOptions(QCommandLineParser &parser)
     add("file-port", Texts::tr("Its port for file control, 10041 unless told otherwise."), "N");
     add("profile", Texts::tr("Connect to the controller that is stored under this name."), "NAME");
     add("timeout", Texts::tr("How long to wait for one try of a read: 300ms, 1s."), "TIME");
+}
+
+void addLogOption(QCommandLineParser &parser)
+{
+    parser.addOption({QStringLiteral("log"),
+        Texts::tr("What to log, as \"pendesk.session=true;pendesk.journal.debug=false\"."), QStringLiteral("RULES")});
+}
+
+void applyLogOption(const QCommandLineParser &parser)
+{
+    if (parser.isSet(QStringLiteral("log")))
+        QLoggingCategory::setFilterRules(parser.value(QStringLiteral("log")).replace(u';', u'\n'));
 }
 
 Result<std::optional<Profile>> namedController(const QCommandLineParser &parser, const ProfileStore &store)

@@ -2,12 +2,11 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "settings/notes.h"
 
-#include <QJsonDocument>
-#include <QSettings>
+#include "settings/settingsfile.h"
 
 namespace settings {
 
-Notes::Notes(QSettings &settings, const QString &controller)
+Notes::Notes(SettingsFile &settings, const QString &controller)
     : m_settings {settings},
       m_group {QStringLiteral("notes/") + QString::fromLatin1(controller.toUtf8().toPercentEncoding())}
 {
@@ -15,17 +14,14 @@ Notes::Notes(QSettings &settings, const QString &controller)
 
 QString Notes::key(const QString &subject) const { return m_group + u'/' + subject; }
 
-QJsonObject Notes::read(const QString &subject) const
-{
-    return QJsonDocument::fromJson(m_settings.value(key(subject)).toString().toUtf8()).object();
-}
+QJsonObject Notes::read(const QString &subject) const { return m_settings.value(key(subject)).toObject(); }
 
 void Notes::write(const QString &subject, const QJsonObject &json)
 {
     if (json.isEmpty())
-        return m_settings.remove(key(subject));
-    const QByteArray text = QJsonDocument {json}.toJson(QJsonDocument::Compact);
-    m_settings.setValue(key(subject), QString::fromUtf8(text));
+        m_settings.remove(key(subject));
+    else
+        m_settings.setValue(key(subject), json);
 }
 
 } // namespace settings

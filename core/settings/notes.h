@@ -5,9 +5,9 @@
 #include <QJsonObject>
 #include <QString>
 
-class QSettings;
-
 namespace settings {
+
+class SettingsFile;
 
 /// What people keep about one controller at this computer, apart from its profile: names, remarks, watch lists. Each
 /// subject is one JSON object; what cannot be read is as if it were not there.
@@ -15,7 +15,7 @@ class Notes
 {
 public:
     /// `settings` must outlive the notes.
-    Notes(QSettings &settings, const QString &controller);
+    Notes(SettingsFile &settings, const QString &controller);
 
     [[nodiscard]] QJsonObject read(const QString &subject) const;
     /// An empty object takes the subject away.
@@ -24,7 +24,7 @@ public:
 private:
     [[nodiscard]] QString key(const QString &subject) const;
 
-    QSettings &m_settings;
+    SettingsFile &m_settings;
     QString m_group;
 };
 

@@ -2,10 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "settings/profilestore.h"
 
+#include "settings/settingsfile.h"
 #include <QCoreApplication>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QSettings>
 
 namespace settings {
 
@@ -212,18 +211,16 @@ QString complaint(const Profile &profile)
     return trouble;
 }
 
-ProfileStore::ProfileStore(QSettings &settings) : m_settings {settings} { }
+ProfileStore::ProfileStore(SettingsFile &settings) : m_settings {settings} { }
 
 QList<Profile> ProfileStore::profiles() const
 {
     QList<Profile> found;
-    m_settings.beginGroup(QStringLiteral("profiles"));
-    for (const QString &key : m_settings.childKeys()) {
-        const auto json = QJsonDocument::fromJson(m_settings.value(key).toString().toUtf8());
-        if (const auto profile = profileFromJson(json.object()))
+    for (const QString &key : m_settings.keys(QStringLiteral("profiles"))) {
+        const QJsonValue json = m_settings.value(QStringLiteral("profiles/") + key);
+        if (const auto profile = profileFromJson(json.toObject()))
             found.append(*profile);
     }
-    m_settings.endGroup();
     std::ranges::sort(found, {}, &Profile::name);
     return found;
 }
@@ -237,11 +234,7 @@ std::optional<Profile> ProfileStore::find(const QString &name) const
     return std::nullopt;
 }
 
-void ProfileStore::save(const Profile &profile)
-{
-    const QByteArray json = QJsonDocument {toJson(profile)}.toJson(QJsonDocument::Compact);
-    m_settings.setValue(keyOf(profile.name), QString::fromUtf8(json));
-}
+void ProfileStore::save(const Profile &profile) { m_settings.setValue(keyOf(profile.name), toJson(profile)); }
 
 void ProfileStore::remove(const QString &name)
 {
@@ -279,12 +272,15 @@ void ProfileStore::setReadinessSeen(const QString &name) { m_settings.setValue(r
 
 QStringList ProfileStore::pagesInWindows() const
 {
-    return m_settings.value(QStringLiteral("window/pagesInWindows")).toStringList();
+    QStringList ids;
+    for (const QJsonValue id : m_settings.value(QStringLiteral("window/pagesInWindows")).toArray())
+        ids << id.toString();
+    return ids;
 }
 
 void ProfileStore::setPagesInWindows(const QStringList &ids)
 {
-    m_settings.setValue(QStringLiteral("window/pagesInWindows"), ids);
+    m_settings.setValue(QStringLiteral("window/pagesInWindows"), QJsonArray::fromStringList(ids));
 }
 
 Appearance ProfileStore::appearance() const

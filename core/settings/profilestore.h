@@ -10,9 +10,9 @@
 #include <QList>
 #include <optional>
 
-class QSettings;
-
 namespace settings {
+
+class SettingsFile;
 
 /// A profile as JSON and back, with a sentence for the first value that is missing or out of range.
 [[nodiscard]] QJsonObject toJson(const Profile &profile);
@@ -27,12 +27,12 @@ struct RecentProfile {
     QDateTime connected; ///< When it answered last, UTC; invalid: never, or nobody wrote it down.
 };
 
-/// The controllers that this user knows, kept in QSettings.
+/// The controllers that this user knows, kept in the settings file.
 class ProfileStore
 {
 public:
     /// `settings` must outlive the store.
-    explicit ProfileStore(QSettings &settings);
+    explicit ProfileStore(SettingsFile &settings);
 
     /// In the order of their names; an entry that cannot be read is left out and left alone.
     [[nodiscard]] QList<Profile> profiles() const;
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] Notes notes(const QString &name) const { return {m_settings, name}; }
 
 private:
-    QSettings &m_settings;
+    SettingsFile &m_settings;
 };
 
 } // namespace settings

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "trend/archive.h"
 
+#include "files/durable.h"
 #include "trend/moment.h"
 #include "values/utc.h"
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUrl>
 
@@ -25,20 +25,17 @@ QString signalsFile() { return QStringLiteral("signals.json"); }
 
 Result<void> write(const QString &path, const QJsonDocument &json)
 {
-    QSaveFile file {path};
-    if (!file.open(QIODevice::WriteOnly) || file.write(json.toJson(QJsonDocument::Compact)) < 0 || !file.commit())
-        return failure(ErrorKind::LocalFile, QStringLiteral("%1: %2").arg(path, file.errorString()));
-    return {};
+    return files::replaceFile(path, json.toJson(QJsonDocument::Compact));
 }
 
 Result<QJsonDocument> read(const QString &path)
 {
-    QFile file {path};
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorKind::LocalFile, QStringLiteral("%1: %2").arg(path, file.errorString()));
-    if (file.size() > largestFile)
+    if (QFileInfo {path}.size() > largestFile)
         return values::badInput(QStringLiteral("%1 is too large").arg(path));
-    const QJsonDocument json = QJsonDocument::fromJson(file.readAll());
+    const auto text = files::readFile(path);
+    if (!text)
+        return tl::unexpected(text.error());
+    const QJsonDocument json = QJsonDocument::fromJson(*text);
     if (json.isNull())
         return values::badInput(QStringLiteral("%1 holds no JSON").arg(path));
     return json;
@@ -100,8 +97,8 @@ Result<void> Archive::saveSignalSet(const QList<Signal> &list) const
 QList<IncidentEntry> Archive::incidents() const
 {
     QList<IncidentEntry> result;
-    for (const QFileInfo &file :
-        incidentFolder().entryInfoList({QStringLiteral("*.json")}, QDir::Files, QDir::Name | QDir::Reversed)) {
+    for (const QFileInfo &file : incidentFolder().entryInfoList(
+             {QStringLiteral("*.json")}, QDir::Files | QDir::NoSymLinks, QDir::Name | QDir::Reversed)) {
         if (const auto entry = entryOf(file))
             result << *entry;
     }

@@ -17,7 +17,7 @@ struct IncidentEntry {
 };
 
 /// What the trend keeps of one controller on the disk: which signals are plotted, and the incidents, a JSON file each.
-/// The folder is made when something is written.
+/// The folder is made when something is written. Every call may block.
 class Archive
 {
 public:
@@ -26,6 +26,8 @@ public:
     explicit Archive(const QString &folder) : m_folder {folder} { }
     /// The folder of a controller among this user's data.
     [[nodiscard]] static QString folderOf(const QString &controller);
+
+    [[nodiscard]] QString folder() const { return m_folder.path(); }
 
     /// Signals that this version does not know are left out; empty if nothing was saved.
     [[nodiscard]] QList<Signal> signalSet() const;

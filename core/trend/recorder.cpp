@@ -4,6 +4,7 @@
 
 #include "trend/moment.h"
 #include <QCoreApplication>
+#include <QLoggingCategory>
 #include <algorithm>
 
 namespace trend {
@@ -13,6 +14,10 @@ using robot::Kind;
 using robot::Topic;
 
 namespace {
+
+Q_LOGGING_CATEGORY(trendLog, "pendesk.trend")
+
+constexpr auto patience = 500ms; ///< At the end of the program.
 
 /// What the flight recorder takes, and how many of each: the groups of eight signals beyond are not kept.
 bool isFlightTopic(const Topic &topic)
@@ -47,7 +52,13 @@ Recorder::Recorder(robot::Controller &controller, const QString &folder, QObject
     m_timer.start(1s);
 }
 
-Recorder::~Recorder() { keep(m_flight.finish(now())); }
+Recorder::~Recorder()
+{
+    keep(m_flight.finish(now()));
+    if (!m_disk.waitForDone(patience))
+        qCWarning(trendLog).noquote()
+            << tr("An incident is lost: %1 could not be written in time.").arg(m_archive.folder());
+}
 
 bool Recorder::add(const Signal &signal)
 {
@@ -86,8 +97,12 @@ QList<Signal> Recorder::signalSet() const
 
 void Recorder::save()
 {
-    if (const auto saved = m_archive.saveSignalSet(signalSet()); !saved)
-        Q_EMIT writingFailed(saved.error());
+    m_disk.run(
+        this, [folder = m_archive.folder(), set = signalSet()] { return Archive {folder}.saveSignalSet(set); },
+        [this](const values::Result<void> &saved) {
+            if (!saved)
+                Q_EMIT writingFailed(saved.error());
+        });
 }
 
 void Recorder::onChanged(const robot::TopicRange &range)
@@ -185,10 +200,15 @@ void Recorder::keep(std::optional<Incident> incident)
     incident->controller = m_controller.profile().name;
     for (Track &track : incident->tracks)
         track.label = label(state(), track.signal);
-    if (const auto entry = m_archive.keep(*incident))
-        Q_EMIT incidentKept(*entry);
-    else
-        Q_EMIT writingFailed(entry.error());
+    const auto kept = std::make_shared<const Incident>(std::move(*incident));
+    m_disk.run(
+        this, [folder = m_archive.folder(), kept] { return Archive {folder}.keep(*kept); },
+        [this](const values::Result<IncidentEntry> &entry) {
+            if (entry)
+                Q_EMIT incidentKept(*entry);
+            else
+                Q_EMIT writingFailed(entry.error());
+        });
 }
 
 } // namespace trend

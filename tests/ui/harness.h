@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "settings/settingsfile.h"
 #include "ui/controllerview.h"
 #include "ui/mainwindow.h"
 #include "ui/theme.h"
@@ -9,7 +10,6 @@
 #include "ui/widgets/valuelabel.h"
 #include "virtualcontroller/server.h"
 #include <QApplication>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -18,7 +18,7 @@ class Harness
 {
 public:
     Harness()
-        : file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat},
+        : file {folder.filePath(QStringLiteral("settings.json"))},
           store {file},
           window {{store, rules, arming, journal}, [this] { return startController(); }}
     {
@@ -93,7 +93,7 @@ public:
 
     QTemporaryDir folder;
     bool isDataHere = qputenv("XDG_DATA_HOME", folder.path().toLocal8Bit()); ///< Before anything is kept.
-    QSettings file;
+    settings::SettingsFile file;
     settings::ProfileStore store;
     robot::AccessRules rules;
     robot::Arming arming;

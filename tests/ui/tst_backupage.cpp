@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "settings/settingsfile.h"
 #include "ui/backupage.h"
 
 #include "core/files/bagmaker.h"
 #include "ui/pages/files/backupchoices.h"
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -54,7 +54,7 @@ void TestBackupAge::says()
 void TestBackupAge::looksForTheNewestCompleteOne()
 {
     const QTemporaryDir folder;
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     const settings::Notes notes {file, QStringLiteral("CELL 4")};
     pages::writeBackupChoices(notes, {folder.path(), {3, 30}});
     QCOMPARE(pages::readBackupChoices(notes).folder, folder.path());

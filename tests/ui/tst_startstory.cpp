@@ -289,7 +289,7 @@ void TestStartStory::holdFromEveryDialog_data()
         [](JobsHarness &harness) { harness.window.findChild<QAction *>(QStringLiteral("accessSettings"))->trigger(); });
     row("passcodeDialog", [](JobsHarness &harness) {
         settings::AccessSettings settings;
-        settings.passcode = settings::Passcode::of(QStringLiteral("1"));
+        settings.passcode = settings::Passcode::of(QStringLiteral("1"), 1000);
         harness.access().enter(Level::Monitor);
         harness.rules.setSettings(settings);
         harness.window.findChild<QAction *>(QStringLiteral("levelOperate"))->trigger();

@@ -67,11 +67,19 @@ PasscodeDialog::PasscodeDialog(Access &access, robot::Level level, QWidget *pare
 
 void PasscodeDialog::tryEnter()
 {
-    if (m_access.enter(m_level, m_passcode->text()) == Access::Answer::Entered) {
+    m_passcode->setEnabled(false); // one try at a time
+    m_complaint->setText(tr("Checking…"));
+    m_access.enter(m_level, m_passcode->text(), this, [this](Access::Answer answer) { onAnswered(answer); });
+}
+
+void PasscodeDialog::onAnswered(Access::Answer answer)
+{
+    if (answer == Access::Answer::Entered) {
         close();
         return;
     }
     m_complaint->setText(tr("That is not the passcode."));
+    m_passcode->setEnabled(true);
     m_passcode->selectAll();
     m_passcode->setFocus();
 }
@@ -111,11 +119,17 @@ void AccessSettingsDialog::save()
         m_complaint->setText(tr("The two are not the same."));
         return;
     }
-    settings::AccessSettings changed;
-    changed.idleTime = std::chrono::minutes {m_minutes->value()};
-    if (!m_passcode->text().isEmpty())
-        changed.passcode = Passcode::of(m_passcode->text());
-    m_rules.setSettings(changed);
+    if (m_passcode->text().isEmpty())
+        return keep(std::nullopt);
+    setEnabled(false);
+    m_making.run(
+        this, [text = m_passcode->text()] { return Passcode::of(text); },
+        [this](const Passcode &passcode) { keep(passcode); });
+}
+
+void AccessSettingsDialog::keep(const std::optional<Passcode> &passcode)
+{
+    m_rules.setSettings({std::chrono::minutes {m_minutes->value()}, passcode});
     close();
 }
 

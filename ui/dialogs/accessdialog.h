@@ -22,6 +22,7 @@ public:
 
 private:
     void tryEnter();
+    void onAnswered(robot::Access::Answer answer);
 
     robot::Access &m_access;
     robot::Level m_level;
@@ -40,12 +41,14 @@ public:
 
 private:
     void save();
+    void keep(const std::optional<settings::Passcode> &passcode);
 
     robot::AccessRules &m_rules;
     QSpinBox *m_minutes;
     QLineEdit *m_passcode;
     QLineEdit *m_again;
     QLabel *m_complaint;
+    files::Worker m_making; ///< Of a passcode, which takes its time.
 };
 
 } // namespace dialogs

@@ -7,15 +7,21 @@
 
 namespace models {
 
-IncidentModel::IncidentModel(const QList<trend::IncidentEntry> &entries, QObject *parent)
-    : QAbstractListModel(parent), m_entries {entries}
-{
-}
-
 void IncidentModel::add(const trend::IncidentEntry &entry)
 {
     beginInsertRows({}, 0, 0);
     m_entries.prepend(entry);
+    endInsertRows();
+}
+
+void IncidentModel::addOlder(const QList<trend::IncidentEntry> &entries)
+{
+    QList<trend::IncidentEntry> older = entries;
+    older.removeIf([this](const trend::IncidentEntry &entry) { return m_entries.contains(entry); });
+    if (older.isEmpty())
+        return;
+    beginInsertRows({}, int(m_entries.size()), int(m_entries.size() + older.size()) - 1);
+    m_entries += older;
     endInsertRows();
 }
 

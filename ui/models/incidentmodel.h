@@ -13,10 +13,12 @@ class IncidentModel : public QAbstractListModel
     Q_OBJECT
 
 public:
-    explicit IncidentModel(const QList<trend::IncidentEntry> &entries, QObject *parent = nullptr);
+    using QAbstractListModel::QAbstractListModel;
 
     /// Puts a new one on top.
     void add(const trend::IncidentEntry &entry);
+    /// Puts those that are not there yet at the end.
+    void addOlder(const QList<trend::IncidentEntry> &entries);
     [[nodiscard]] const trend::IncidentEntry &entry(int row) const { return m_entries[row]; }
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;

@@ -17,7 +17,6 @@
 #include <QFileDialog>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QtConcurrent>
 
 using robot::Act;
 
@@ -39,7 +38,15 @@ QSpinBox *spin(const QString &suffix, const char *name, const QString &unlimited
     return result;
 }
 
-values::Result<files::Bag> noBag() { return values::failure(values::ErrorKind::LocalFile); }
+using Contents = values::Result<files::FileSet>;
+
+/// Every file of a backup; may block.
+Contents contentsOf(const QString &path)
+{
+    return files::Bag::open(path).map([](const files::Bag &bag) { return bag.files(); });
+}
+
+Contents none() { return values::failure(values::ErrorKind::LocalFile); }
 
 } // namespace
 
@@ -73,19 +80,8 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
     connect(m_verify, &QPushButton::clicked, this, &BackupPage::verifyChosen);
     connect(m_pin, &QPushButton::clicked, this, &BackupPage::togglePin);
     connect(m_export, &QPushButton::clicked, this, &BackupPage::exportChosen);
-    connect(&m_exporting, &QFutureWatcherBase::finished, this, [this] {
-        const auto written = m_exporting.result();
-        say(written ? tr("Exported.") : tr("▲ Not exported: %1").arg(protocol::explain(written.error())));
-        updateButtons();
-    });
     connect(m_compare, &QPushButton::clicked, this, &BackupPage::compareChosen);
     connect(m_restore, &widgets::OrderButton::clicked, this, &BackupPage::planRestore);
-    connect(&m_verifying, &QFutureWatcherBase::finished, this, [this] {
-        const files::Verification found = m_verifying.result();
-        say(found.isGood() ? tr("Good: every byte of %n file(s) is as it was written.", nullptr, found.files)
-                           : tr("▲ Not good: %1").arg(explain(found.faults.first())));
-        updateButtons();
-    });
     connect(this, &Page::visibilityChanged, this, [this] {
         if (isVisible())
             reload(); // others write backups too
@@ -174,7 +170,12 @@ void BackupPage::keepChoices() { writeBackupChoices(m_context.station.notes(), {
 
 void BackupPage::reload()
 {
-    m_timeline->showEntries(archive().entries());
+    m_disk.run(
+        this, [archive = archive()] { return archive.entries(); },
+        [this](const QList<files::ArchiveEntry> &entries) {
+            m_timeline->showEntries(entries);
+            updateButtons();
+        });
     updateButtons();
 }
 
@@ -189,8 +190,8 @@ void BackupPage::updateButtons()
 {
     const auto entry = m_timeline->chosen();
     m_backUp->setEnabled(m_isUp && !isBusy());
-    m_verify->setEnabled(entry && !m_verifying.isRunning());
-    m_export->setEnabled(entry && !m_exporting.isRunning());
+    m_verify->setEnabled(entry && !m_isVerifying);
+    m_export->setEnabled(entry && !m_isExporting);
     m_pin->setEnabled(entry.has_value());
     m_pin->setText(entry && entry->isPinned ? tr("Unpin") : tr("Pin"));
     m_compare->setEnabled(entry && entry->isReadable && !isBusy());
@@ -257,10 +258,19 @@ void BackupPage::exportChosen()
 void BackupPage::exportTo(const QString &target)
 {
     const auto entry = m_timeline->chosen();
-    if (!entry || m_exporting.isRunning())
+    if (!entry || m_isExporting)
         return;
     say(tr("Exporting to %1…").arg(QDir::toNativeSeparators(target)));
-    m_exporting.setFuture(QtConcurrent::run(files::writeZip, entry->path, target));
+    m_isExporting = true;
+    m_long.run(
+        this,
+        [path = entry->path, target](
+            const files::IsWanted &isWanted) { return files::writeZip(path, target, isWanted); },
+        [this](const values::Result<void> &written) {
+            m_isExporting = false;
+            say(written ? tr("Exported.") : tr("▲ Not exported: %1").arg(protocol::explain(written.error())));
+            updateButtons();
+        });
     updateButtons();
 }
 
@@ -270,7 +280,15 @@ void BackupPage::verifyChosen()
     if (!entry)
         return;
     say(tr("Reading every byte…"));
-    m_verifying.setFuture(QtConcurrent::run(files::verify, entry->path));
+    m_isVerifying = true;
+    m_long.run(
+        this, [path = entry->path] { return files::verify(path); },
+        [this](const files::Verification &found) {
+            m_isVerifying = false;
+            say(found.isGood() ? tr("Good: every byte of %n file(s) is as it was written.", nullptr, found.files)
+                               : tr("▲ Not good: %1").arg(explain(found.faults.first())));
+            updateButtons();
+        });
     updateButtons();
 }
 
@@ -279,30 +297,47 @@ void BackupPage::togglePin()
     const auto entry = m_timeline->chosen();
     if (!entry)
         return;
-    if (const auto pinned = archive().setPinned(entry->id, !entry->isPinned); !pinned)
-        say(protocol::explain(pinned.error()));
-    reload();
+    m_disk.run(
+        this, [archive = archive(), entry = *entry] { return archive.setPinned(entry.id, !entry.isPinned); },
+        [this](const values::Result<void> &pinned) {
+            if (!pinned)
+                say(protocol::explain(pinned.error()));
+            reload();
+        });
 }
 
 void BackupPage::compareChosen()
 {
     const auto entry = m_timeline->chosen();
-    const auto bag = entry ? files::Bag::open(entry->path) : noBag();
-    if (!bag)
+    if (!entry)
         return;
-    if (m_with->currentIndex() == Controller)
-        return readController(
-            [this, set = bag->files()](const files::FileSet &now) { m_comparison->showSets(set, now); });
     const int row = m_timeline->chosenRow();
+    const bool isWithController = m_with->currentIndex() == Controller;
     const int other = m_with->currentIndex() == TheOneBefore ? row + 1 : 0;
     const auto &entries = m_timeline->entries();
-    const auto second = other < entries.size() && other != row ? files::Bag::open(entries[other].path) : noBag();
-    if (!second)
-        return m_comparison->showSentence(tr("There is no other backup to compare with."));
-    if (other > row)
-        m_comparison->showSets(second->files(), bag->files());
+    const bool hasOther = !isWithController && other < entries.size() && other != row;
+    const QString second = hasOther ? entries[other].path : QString();
+    const auto read = [first = entry->path, second] {
+        return std::pair {contentsOf(first), second.isEmpty() ? none() : contentsOf(second)};
+    };
+    m_disk.run(this, read, [this, isWithController, isOlder = other > row](const std::pair<Contents, Contents> &both) {
+        const auto &[chosen, before] = both;
+        if (!chosen)
+            return say(protocol::explain(chosen.error()));
+        if (!isWithController)
+            return compare(*chosen, before, isOlder);
+        readController([this, set = *chosen](const files::FileSet &now) { m_comparison->showSets(set, now); });
+    });
+}
+
+void BackupPage::compare(const files::FileSet &chosen, const Contents &other, bool isOlder)
+{
+    if (!other)
+        m_comparison->showSentence(tr("There is no other backup to compare with."));
+    else if (isOlder)
+        m_comparison->showSets(*other, chosen);
     else
-        m_comparison->showSets(bag->files(), second->files());
+        m_comparison->showSets(chosen, *other);
 }
 
 void BackupPage::readController(const std::function<void(const files::FileSet &)> &handler)
@@ -327,24 +362,36 @@ void BackupPage::readController(const std::function<void(const files::FileSet &)
 void BackupPage::planRestore()
 {
     const auto entry = m_timeline->chosen();
-    const auto bag = entry ? files::Bag::open(entry->path) : noBag();
-    if (!bag)
+    if (!entry)
         return;
-    readController([this, bag = *bag](const files::FileSet &now) {
+    using Read = values::Result<std::pair<files::Bag, files::FileSet>>;
+    const auto read = [path = entry->path]() -> Read {
+        return files::Bag::open(path).map([](const files::Bag &bag) { return std::pair {bag, bag.files()}; });
+    };
+    m_disk.run(this, read, [this](const Read &found) {
+        if (!found)
+            return say(protocol::explain(found.error()));
+        offerRestore(found->first, found->second);
+    });
+}
+
+void BackupPage::offerRestore(const files::Bag &bag, const files::FileSet &then)
+{
+    readController([this, bag, then](const files::FileSet &now) {
         session::FileSession *session = m_context.station.controller.files();
         if (!session)
             return;
         const auto identity =
-            files::compareIdentities(files::identityOf(bag.info(), bag.files()), files::identityOf(order().info, now));
+            files::compareIdentities(files::identityOf(bag.info(), then), files::identityOf(order().info, now));
         const bool isOther = files::isAnotherRobot(identity);
-        const auto plan = files::planRestore(bag.files(), now, {{}, m_orders.jobsInUse(), isOther});
+        const auto plan = files::planRestore(then, now, {{}, m_orders.jobsInUse(), isOther});
         auto *dialog = new dialogs::RestoreDialog(m_context.station.profile(), bag.info().taken, plan, this);
         dialog->showIdentity(identity);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
-        connect(dialog, &dialogs::RestoreDialog::confirmed, this, [this, bag, dialog](const auto &chosenPlan) {
+        connect(dialog, &dialogs::RestoreDialog::confirmed, this, [this, then, dialog](const auto &chosenPlan) {
             if (session::FileSession *files = m_context.station.controller.files())
-                dialog->follow(std::make_unique<files::Restore>(
-                    *files, bag.files(), chosenPlan, order(), m_orders.guard(Act::Restore)));
+                dialog->follow(
+                    std::make_unique<files::Restore>(*files, then, chosenPlan, order(), m_orders.guard(Act::Restore)));
         });
         connect(dialog, &dialogs::RestoreDialog::tried, this,
             [this](const files::Upload *upload) { m_orders.note(*upload, Act::Upload); });

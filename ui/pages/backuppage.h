@@ -4,6 +4,7 @@
 
 #include "files/backup.h"
 #include "files/compare.h"
+#include "files/worker.h"
 #include "ui/pages/files/fileorders.h"
 #include "ui/pages/page.h"
 
@@ -62,6 +63,8 @@ private:
     void togglePin();
     void exportChosen();
     void compareChosen();
+    void compare(const files::FileSet &chosen, const values::Result<files::FileSet> &other, bool isOlder);
+    void offerRestore(const files::Bag &bag, const files::FileSet &then);
     void readController(const std::function<void(const files::FileSet &)> &handler);
     void planRestore();
     void say(const QString &sentence);
@@ -70,8 +73,10 @@ private:
     FileOrders m_orders;
     QString m_root;
     bool m_isUp = false;
-    QFutureWatcher<files::Verification> m_verifying;
-    QFutureWatcher<values::Result<void>> m_exporting;
+    files::Worker m_disk; ///< Looks into folders and backups.
+    files::Worker m_long; ///< Verifies and exports, one after the other.
+    bool m_isVerifying = false;
+    bool m_isExporting = false;
     std::unique_ptr<files::Backup> m_backup;
     std::unique_ptr<files::Snapshot> m_snapshot;
 

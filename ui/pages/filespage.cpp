@@ -143,11 +143,33 @@ void FilesPage::chooseFolder()
         openFolder(chosen);
 }
 
+namespace {
+
+/// Regular files and links to them: a pipe or a device is none that could be sent.
+QStringList filesIn(const QString &folder) { return QDir {folder}.entryList(QDir::Files, QDir::Name); }
+
+/// The offers with what each would replace here.
+QList<Offer> withReplaced(QList<Offer> offers)
+{
+    for (Offer &offer : offers)
+        offer.isTaken = QFileInfo::exists(offer.localPath);
+    return offers;
+}
+
+} // namespace
+
 void FilesPage::showFolder()
+{
+    m_disk.run(
+        this, [folder = m_folder] { return filesIn(folder); },
+        [this](const QStringList &locals) { showLocal(locals); });
+}
+
+void FilesPage::showLocal(const QStringList &locals)
 {
     QList<QByteArray> keys;
     QStringList words;
-    for (const QString &local : QDir {m_folder}.entryList(QDir::Files, QDir::Name)) {
+    for (const QString &local : locals) {
         const auto name = files::fromLocalName(local);
         if (!name || !(files::isLoadable(*name) || name->extension() == "SYS"))
             continue;
@@ -228,9 +250,10 @@ void FilesPage::fetchChosen()
     QList<Offer> offers;
     for (const FileName &name : chosenNames()) {
         const QString path = m_folder + u'/' + files::toLocalName(name.bytes());
-        offers << Offer {files::Direction::Download, name, path, QFileInfo::exists(path)};
+        offers << Offer {files::Direction::Download, name, path, false};
     }
-    m_offers.ask(offers);
+    m_disk.run(
+        this, [offers] { return withReplaced(offers); }, [this](const QList<Offer> &looked) { m_offers.ask(looked); });
 }
 
 void FilesPage::sendChosen()

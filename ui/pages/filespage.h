@@ -3,6 +3,7 @@
 #pragma once
 
 #include "files/collection.h"
+#include "files/worker.h"
 #include "ui/pages/files/offers.h"
 #include "ui/pages/files/remotechanges.h"
 
@@ -41,7 +42,9 @@ private:
     void updateButtons();
     void onListed();
     void onFinished(const files::Task *task);
+    /// Reads the local folder again.
     void showFolder();
+    void showLocal(const QStringList &locals);
     void chooseFolder();
     void fetchChosen();
     void sendChosen();
@@ -60,6 +63,7 @@ private:
     QList<values::FileName> m_names; ///< What the controller listed last.
     bool m_isListed = false;
     bool m_isUp = false;
+    files::Worker m_disk; ///< The local folder may be in the network.
 
     FilePane *m_local;
     FilePane *m_remote;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/trendpage.h"
 
+#include "files/durable.h"
 #include "protocol/codes.h"
 #include "trend/csv.h"
 #include "trend/moment.h"
@@ -17,7 +18,6 @@
 #include <QListView>
 #include <QMimeData>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QShortcut>
 #include <QTableView>
 #include <algorithm>
@@ -73,7 +73,7 @@ TrendPage::TrendPage(const Context &context, QWidget *parent)
       m_recorder {context.station.recorder},
       m_profile {context.station.profile()},
       m_model {new models::TrackModel(this)},
-      m_incidents {new models::IncidentModel(context.station.recorder.archive().incidents(), this)},
+      m_incidents {new models::IncidentModel(this)},
       m_plot {new widgets::Plot}
 {
     setAcceptDrops(true);
@@ -207,6 +207,9 @@ void TrendPage::follow()
         setTracks();
         Q_EMIT topicsChanged();
     });
+    m_disk.run(
+        this, [folder = m_recorder.archive().folder()] { return trend::Archive {folder}.incidents(); },
+        [this](const QList<trend::IncidentEntry> &entries) { m_incidents->addOlder(entries); });
     connect(&m_recorder, &trend::Recorder::incidentKept, m_incidents, &models::IncidentModel::add);
     connect(&m_recorder, &trend::Recorder::writingFailed, this,
         [this](const values::Error &error) { m_card->setReason(tr("It could not be saved: %1").arg(error.detail)); });
@@ -295,11 +298,24 @@ void TrendPage::setPaused(bool paused)
 
 void TrendPage::openIncident(const trend::IncidentEntry &entry)
 {
-    auto incident = m_recorder.archive().load(entry);
-    if (!incident)
-        return m_card->setReason(tr("This incident cannot be read: %1").arg(incident.error().detail));
+    using Loaded = std::shared_ptr<values::Result<trend::Incident>>;
+    m_disk.run(
+        this,
+        [folder = m_recorder.archive().folder(), entry]() -> Loaded {
+            return std::make_shared<values::Result<trend::Incident>>(trend::Archive {folder}.load(entry));
+        },
+        [this](const Loaded &loaded) {
+            if (*loaded)
+                showIncident(std::move(**loaded));
+            else
+                m_card->setReason(tr("This incident cannot be read: %1").arg(loaded->error().detail));
+        });
+}
+
+void TrendPage::showIncident(trend::Incident incident)
+{
     m_model->setTracks({}); // before its tracks go
-    m_incident = std::move(*incident);
+    m_incident = std::move(incident);
     m_live->show();
     m_pause->setEnabled(false);
     m_span->setEnabled(false);
@@ -355,11 +371,7 @@ void TrendPage::chooseFile()
 
 values::Result<void> TrendPage::exportTo(const QString &path) const
 {
-    QSaveFile file {path};
-    const QByteArray csv = trend::toCsv(m_model->shown(), m_plot->range());
-    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit())
-        return values::failure(values::ErrorKind::LocalFile, QStringLiteral("%1: %2").arg(path, file.errorString()));
-    return {};
+    return files::replaceFile(path, trend::toCsv(m_model->shown(), m_plot->range()));
 }
 
 void TrendPage::dragEnterEvent(QDragEnterEvent *event)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "files/worker.h"
 #include "trend/recorder.h"
 #include "ui/pages/page.h"
 #include <QTimer>
@@ -38,6 +39,7 @@ public:
     void showLink(const ui::LinkView &link) override;
 
     void openIncident(const trend::IncidentEntry &entry);
+    void showIncident(trend::Incident incident);
     void backToLive();
     /// Writes what is in view as CSV.
     [[nodiscard]] values::Result<void> exportTo(const QString &path) const;
@@ -69,6 +71,7 @@ private:
     std::optional<trend::Moment> m_pausedAt;
     bool m_isLinkUp = false;
     models::TrackModel *m_model;
+    files::Worker m_disk;
     models::IncidentModel *m_incidents;
     widgets::Plot *m_plot;
     widgets::Card *m_card;

@@ -2,11 +2,10 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/variabletransfer.h"
 
+#include "files/durable.h"
 #include "ui/dialogs/importdialog.h"
 #include <QClipboard>
-#include <QFile>
 #include <QGuiApplication>
-#include <QSaveFile>
 
 using namespace std::chrono_literals;
 
@@ -50,17 +49,17 @@ void VariableTransfer::paste(const Reference &first)
 
 void VariableTransfer::importFrom(const QString &path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return Q_EMIT said(tr("%1 cannot be read: %2.").arg(path, file.errorString()), true);
-    const auto text = variables::textOfFile(file.readAll());
-    if (!text)
-        return Q_EMIT said(text.error().detail, true);
-    const auto table = variables::readTable(*text);
-    if (!table)
-        return Q_EMIT said(table.error().detail, true);
-    preview([this, table = *table](
-                const Lookup &now) { return variables::preview(table, m_desk.format, m_desk.dialect, now); });
+    const auto read = [path] {
+        return files::readFile(path).and_then(variables::textOfFile).and_then(variables::readTable);
+    };
+    m_disk.run(this, read, [this](const values::Result<variables::Table> &table) {
+        if (!table && table.error().kind == values::ErrorKind::LocalFile)
+            return Q_EMIT said(tr("The file cannot be read: %1").arg(table.error().detail), true);
+        if (!table)
+            return Q_EMIT said(table.error().detail, true);
+        preview([this, table = *table](
+                    const Lookup &now) { return variables::preview(table, m_desk.format, m_desk.dialect, now); });
+    });
 }
 
 /// Reads the text twice: to learn which variables it names, and once these are known.
@@ -94,12 +93,14 @@ void VariableTransfer::write(const QString &path, const QList<Reference> &variab
     QList<variables::ExportRow> rows;
     for (const Reference &variable : variables)
         rows << variables::ExportRow {variable, m_desk.book.names().of(variable).text, now(variable)};
-    QSaveFile file(path);
-    const bool isWritten = file.open(QIODevice::WriteOnly)
-        && file.write("\xEF\xBB\xBF" + toCsv(rows, m_desk.format).toUtf8()) > 0 && file.commit();
-    Q_EMIT said(
-        isWritten ? tr("%1 was written.").arg(path) : tr("%1 cannot be written: %2.").arg(path, file.errorString()),
-        !isWritten);
+    const QByteArray csv = "\xEF\xBB\xBF" + toCsv(rows, m_desk.format).toUtf8();
+    m_disk.run(
+        this, [path, csv] { return files::replaceFile(path, csv); },
+        [this, path](const values::Result<void> &written) {
+            Q_EMIT said(written ? tr("%1 was written.").arg(path)
+                                : tr("The file could not be written: %1").arg(written.error().detail),
+                !written);
+        });
 }
 
 QList<robot::TopicRange> VariableTransfer::topics() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "settings/profilestore.h"
+#include "settings/settingsfile.h"
 #include "virtualcontroller/server.h"
 
 #include <QDir>
@@ -8,7 +9,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -59,7 +59,7 @@ public:
     /// Stores the controller under the name "cell", as the window would.
     void keep(settings::Profile profile) const
     {
-        QSettings file {folder.filePath(QStringLiteral("pendesk/pendesk.conf")), QSettings::IniFormat};
+        settings::SettingsFile file {folder.filePath(QStringLiteral("pendesk/settings.json"))};
         profile.name = QStringLiteral("cell");
         profile.host = QStringLiteral("127.0.0.1");
         profile.port = server->port();

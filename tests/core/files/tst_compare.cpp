@@ -8,8 +8,8 @@
 #include <random>
 
 using namespace files;
-using inform::Hunk;
 using inform::diffLines;
+using inform::Hunk;
 using values::FileName;
 
 namespace {

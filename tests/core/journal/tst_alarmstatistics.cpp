@@ -55,10 +55,10 @@ private Q_SLOTS:
     {
         QFETCH(const QByteArrayList, times);
         QFETCH(const int, minutes);
-        AlarmStatistics statistics;
+        AlarmTally tally;
         for (const QByteArray &time : times)
-            statistics.add(entry(4416, time));
-        const auto found = statistics.top(10);
+            tally.add(entry(4416, time));
+        const auto found = topCodes({tally}, 10);
         QCOMPARE(found.size(), 1);
         QCOMPARE(found.first().count, int(times.size()));
         QCOMPARE(found.first().meanBetween.has_value(), minutes >= 0);
@@ -67,14 +67,36 @@ private Q_SLOTS:
 
     void theMostFrequentComesFirst()
     {
-        AlarmStatistics statistics;
-        for (const quint32 code : {7, 5, 9, 5, 9, 1})
-            statistics.add(entry(code, "2026/01/01 08:00"));
+        QList<AlarmTally> tallies;
+        for (const auto &[code, count] : {std::pair {7U, 1}, {5U, 2}, {9U, 2}, {1U, 1}}) {
+            tallies += AlarmTally {};
+            for (int i = 0; i < count; ++i)
+                tallies.last().add(entry(code, "2026/01/01 08:00"));
+        }
         QList<quint32> codes;
-        for (const auto &one : statistics.top(3))
+        for (const auto &one : topCodes(tallies, 3))
             codes += one.code;
         QCOMPARE(codes, (QList<quint32> {5, 9, 1}));
-        QCOMPARE(AlarmStatistics {}.top(10).size(), 0);
+        QCOMPARE(topCodes({}, 10).size(), 0);
+    }
+
+    /// One code in two lists: the counts and the times between add up, and the newest entry says name and time. From
+    /// one list to the other no time passes.
+    void listsAreAddedUp()
+    {
+        AlarmTally major;
+        major.add(entry(4416, "2026/01/01 08:00"));
+        major.add(entry(4416, "2026/01/01 09:00"));
+        major.newest = 7;
+        AlarmTally minor;
+        minor.add(entry(4416, "2026/01/01 10:00"));
+        minor.add(entry(4416, "2026/01/01 10:30"));
+        minor.newest = 3;
+        const auto found = topCodes({major, minor}, 10);
+        QCOMPARE(found.size(), 1);
+        QCOMPARE(found[0].count, 4);
+        QVERIFY(found[0].meanBetween == 45min);
+        QCOMPARE(found[0].last.time(), QTime(9, 0));
     }
 };
 

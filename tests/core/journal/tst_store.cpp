@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSqlDatabase>
 #include <QSqlQuery>
@@ -439,6 +440,117 @@ private Q_SLOTS:
         QSignalSpy failed {&store, &Store::failed};
         QTRY_COMPARE(failed.size(), 1);
         QVERIFY(store.trouble().contains(QStringLiteral("newer version")));
+    }
+
+    /// Another program keeps the database for itself while this one ends: the order is neither lost nor waited for, and
+    /// the next store takes it in, once.
+    void whatTheEndCouldNotWriteIsTakenInLater()
+    {
+        {
+            Store {place(), quick};
+        }
+        OrderRecord hold = order(1, "hold");
+        hold.reply = QStringLiteral("⟨溶接⟩ \"quoted\"");
+        const Note note {4416, QStringLiteral("cable"), QStringLiteral("changed"), QStringLiteral("maria"),
+            QDateTime({2026, 1, 12}, {9, 0}, Qt::UTC)};
+        {
+            auto other = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("other"));
+            other.setDatabaseName(path());
+            QVERIFY(other.open());
+            QVERIFY(QSqlQuery(other).exec(QStringLiteral("BEGIN EXCLUSIVE")));
+            QTest::ignoreMessage(QtWarningMsg, QRegularExpression {QStringLiteral("kept in .*unsaved")});
+            {
+                Store store {place(), quick};
+                store.append(hold);
+                store.keep(note);
+            }
+            QVERIFY(filesInFolder().contains(QStringLiteral("j.sqlite.unsaved.json")));
+            const auto owner = QFile::ReadOwner | QFile::WriteOwner | QFile::ReadUser | QFile::WriteUser;
+            QCOMPARE(QFile::permissions(path() + QStringLiteral(".unsaved.json")), owner);
+            QVERIFY(QSqlQuery(other).exec(QStringLiteral("ROLLBACK")));
+        }
+        QSqlDatabase::removeDatabase(QStringLiteral("other"));
+        QCOMPARE(allOrders(), QList<OrderRecord> {hold});
+        QVERIFY(!filesInFolder().contains(QStringLiteral("j.sqlite.unsaved.json")));
+        Store store {place(), quick};
+        Answer<QList<Note>> notes;
+        store.notes(&store, notes.handler());
+        WAIT_FOR(notes);
+        QCOMPARE(notes.value(), QList<Note> {note});
+        QCOMPARE(allOrders().size(), 1);
+    }
+
+    void whatWasLeftAndCannotBeReadIsKept()
+    {
+        QVERIFY(QDir {}.mkpath(QFileInfo(path()).path()));
+        write(path() + QStringLiteral(".unsaved.json"), "{\"orders\": [");
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression {QStringLiteral("cannot be read")});
+        QCOMPARE(allOrders().size(), 0);
+        QVERIFY(filesInFolder().contains(QStringLiteral("j.sqlite.unsaved.json.damaged")));
+    }
+
+    /// Whoever asked is gone before the answer: the question ends, and the next one is answered.
+    void aQuestionThatNobodyWantsEnds()
+    {
+        Store store {place(), quick};
+        for (int i = 0; i < 2000; ++i)
+            store.append(order(i % 60, "start"));
+        QTRY_COMPARE(store.waitingCount(), 0);
+        bool isAnswered = false;
+        for (int i = 0; i < 50; ++i) {
+            QObject context;
+            OrderFilter filter;
+            filter.text = QStringLiteral("nowhere%1").arg(i);
+            store.orders(filter, {}, 100, &context, [&](const auto &) { isAnswered = true; });
+        }
+        Answer<QStringList> actions;
+        store.orderActions(&store, actions.handler());
+        WAIT_FOR(actions);
+        QCOMPARE(actions.value(), QStringList {QStringLiteral("start")});
+        QVERIFY(!isAnswered);
+    }
+
+    void isForItsOwnerAlone()
+    {
+        {
+            Store store {place(), quick};
+            store.append(order(1, "start"));
+        }
+        const auto owner = QFile::ReadOwner | QFile::WriteOwner | QFile::ReadUser | QFile::WriteUser;
+        QCOMPARE(QFile::permissions(path()), owner);
+        QCOMPARE(QFile::permissions(QFileInfo(path()).path()), owner | QFile::ExeOwner | QFile::ExeUser);
+    }
+
+    /// A journal as it was before alarms were counted as they come: the first version's tables, with alarms in them.
+    void aJournalOfTheFirstVersionIsCounted()
+    {
+        {
+            Store store {place(), quick};
+            HistoryReading reading {QStringLiteral("CELL 4"), AlarmHistoryClass::Major,
+                {alarmEntry(4416, "2026/01/01 10:00"), alarmEntry(4416, "2026/01/01 08:00"),
+                    alarmEntry(1030, "2026/01/01 07:00")},
+                QDateTime({2026, 1, 12}, {9, 0}, Qt::UTC)};
+            store.merge(reading);
+            QTRY_COMPARE(store.waitingCount(), 0);
+        }
+        {
+            auto database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("first"));
+            database.setDatabaseName(path());
+            QVERIFY(database.open());
+            for (const char *statement : {"DROP TABLE tallies", "DROP INDEX orders_by_action",
+                     "DROP INDEX orders_by_controller", "DELETE FROM journal_version WHERE number > 1"})
+                QVERIFY(QSqlQuery(database).exec(QString::fromLatin1(statement)));
+        }
+        QSqlDatabase::removeDatabase(QStringLiteral("first"));
+        Store store {place(), quick};
+        Answer<QList<CodeStatistics>> top;
+        store.statistics({QStringLiteral("CELL 4"), {}, 0}, 10, &store, top.handler());
+        WAIT_FOR(top);
+        QCOMPARE(top.value().size(), 2);
+        QCOMPARE(top.value()[0].code, quint32(4416));
+        QCOMPARE(top.value()[0].count, 2);
+        QVERIFY(top.value()[0].meanBetween == 120min);
+        QCOMPARE(top.value()[1].count, 1);
     }
 
     void twoDesksOnOneJournal()

@@ -5,9 +5,9 @@
 #include "robot/signalwatch.h"
 #include "robot/variablehistory.h"
 #include "settings/profilestore.h"
+#include "settings/settingsfile.h"
 #include "values/utc.h"
 #include "virtualcontroller/server.h"
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -55,7 +55,7 @@ private Q_SLOTS:
 void TestNameBook::readsTheControllersFiles()
 {
     QTemporaryDir folder;
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     virtualcontroller::Options options;
     options.port = 0;
     options.filePort = 0;
@@ -87,7 +87,7 @@ void TestNameBook::readsTheControllersFiles()
 void TestNameBook::aMissingFileIsSaidOnce()
 {
     QTemporaryDir folder;
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     virtualcontroller::Options options;
     options.port = 0;
     options.filePort = 0;
@@ -110,7 +110,7 @@ void TestNameBook::aMissingFileIsSaidOnce()
 void TestNameBook::localNamesAndRemarksAreKept()
 {
     QTemporaryDir folder;
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     settings::ProfileStore store {file};
     settings::Profile profile;
     profile.name = QStringLiteral("CELL 4 / Schweißen");

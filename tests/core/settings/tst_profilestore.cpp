@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "settings/profilestore.h"
+#include "settings/settingsfile.h"
 #include "values/utc.h"
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -41,9 +41,9 @@ private Q_SLOTS:
     void whatIsSavedIsFoundAgain()
     {
         QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("settings.ini"));
+        const QString path = folder.filePath(QStringLiteral("settings.json"));
         {
-            QSettings file {path, QSettings::IniFormat};
+            settings::SettingsFile file {path};
             ProfileStore store {file};
             store.save(weldCell());
             auto other = weldCell();
@@ -51,7 +51,7 @@ private Q_SLOTS:
             store.save(other);
             store.setLastUsed(other.name);
         }
-        QSettings file {path, QSettings::IniFormat};
+        settings::SettingsFile file {path};
         ProfileStore store {file};
         QCOMPARE(store.profiles().size(), 2);
         QCOMPARE(store.profiles().first().name, QStringLiteral("A"));
@@ -66,7 +66,7 @@ private Q_SLOTS:
     void recentControllers()
     {
         QTemporaryDir folder;
-        QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+        settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
         ProfileStore store {file};
         QVERIFY(store.recent(5).isEmpty());
         for (const char *name : {"D", "C", "B", "A/ü"}) {
@@ -93,13 +93,13 @@ private Q_SLOTS:
         store.remove(QStringLiteral("B"));
         QCOMPARE(names(1), QStringList {QStringLiteral("D")});
         store.save(weldCell());
-        QVERIFY(!file.allKeys().contains(QStringLiteral("connections/nobody/connected")));
+        QVERIFY(!file.contains(QStringLiteral("connections/nobody/connected")));
     }
 
     void readinessIsSeenOnce()
     {
         QTemporaryDir folder;
-        QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+        settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
         ProfileStore store {file};
         store.save(weldCell());
         const QString name = weldCell().name;
@@ -114,7 +114,7 @@ private Q_SLOTS:
     void aDamagedEntryIsLeftAlone()
     {
         QTemporaryDir folder;
-        QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+        settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
         file.setValue(QStringLiteral("profiles/broken"), QStringLiteral("{\"name\": "));
         ProfileStore store {file};
         store.save(weldCell());

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "settings/settingsfile.h"
 #include "ui/models/iomodel.h"
 #include "ui/models/variablemodel.h"
 #include "ui/models/watchmodel.h"
 #include "ui/widgets/table.h"
 #include <QAbstractItemModelTester>
 #include <QApplication>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -29,7 +29,7 @@ values::Error refusal() { return {values::ErrorKind::Refused, 0x1F, 0xA001, {}};
 /// Models on a state that the test fills; nothing is connected.
 struct Desk {
     Desk()
-        : file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat},
+        : file {folder.filePath(QStringLiteral("settings.json"))},
           controller {settings::Profile {}},
           orders {controller, access, arming},
           book {controller.profile(), settings::Notes {file, QStringLiteral("CELL 4")}},
@@ -46,7 +46,7 @@ struct Desk {
     }
 
     QTemporaryDir folder;
-    QSettings file;
+    settings::SettingsFile file;
     protocol::Dialect dialect = protocol::dialect(protocol::Model::YRC1000);
     robot::AccessRules rules;
     robot::Access access {rules};

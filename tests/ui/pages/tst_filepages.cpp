@@ -169,7 +169,7 @@ void TestFilePages::sendsAndRecords()
     QVERIFY(files::replaceFile(desk.local("FRESH.JBI"), job));
     page->openFolder(desk.files.path());
     QTRY_COMPARE(find<QListWidget>(page, "remoteFiles")->count(), 8);
-    QVERIFY(choose(find<QListWidget>(page, "localFiles"), QStringLiteral("FRESH.JBI")));
+    QTRY_VERIFY(choose(find<QListWidget>(page, "localFiles"), QStringLiteral("FRESH.JBI")));
     QSignalSpy recorded {&desk.window.view().orders(), &robot::Orders::recorded};
     QTRY_VERIFY(find<QPushButton>(page, "upload")->isEnabled());
     QTest::mouseClick(find<QPushButton>(page, "upload"), Qt::LeftButton);

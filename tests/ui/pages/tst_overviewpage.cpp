@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "settings/settingsfile.h"
 #include "ui/pages/overviewpage.h"
 
 #include "robot/namebook.h"
@@ -13,7 +14,6 @@
 #include "ui/widgets/valuelabel.h"
 #include <QAbstractButton>
 #include <QApplication>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
@@ -102,7 +102,7 @@ struct Desk {
     robot::AccessRules rules;
     robot::Arming arming;
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
-    QSettings file {folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     settings::ProfileStore store {file};
     station::Station station;
     RobotState &state = const_cast<RobotState &>(station.state()); ///< Filled by hand.

@@ -77,7 +77,7 @@ void TestVariableTransfer::exportsAndImportsFiles()
     QCOMPARE(table->model()->index(0, 3).data().toString(), QStringLiteral("150"));
     room.dialog("importDialog")->reject();
     transfer->importFrom(room.harness.folder.filePath(QStringLiteral("none.csv")));
-    QVERIFY(sentence->text().contains(QStringLiteral("cannot be read")));
+    QTRY_VERIFY(sentence->text().contains(QStringLiteral("cannot be read")));
 }
 
 /// Ten thousand lines open as fast as they are told of, and nothing of them can be staged.

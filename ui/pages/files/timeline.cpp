@@ -4,7 +4,6 @@
 
 #include "files/compare.h"
 #include "ui/pages/files/parts.h"
-#include <QtConcurrent>
 
 using files::ArchiveEntry;
 
@@ -16,10 +15,10 @@ constexpr int idRole = Qt::UserRole;
 enum Column { Taken, Files, Changed, Condition };
 
 /// How many files differ from the backup before, by id. Reads bags; runs in another thread.
-QHash<QString, int> changesOf(const QList<ArchiveEntry> &newestFirst)
+QHash<QString, int> changesOf(const QList<ArchiveEntry> &newestFirst, const files::IsWanted &isWanted)
 {
     QHash<QString, int> result;
-    for (int index = 0; index + 1 < newestFirst.size(); ++index) {
+    for (int index = 0; index + 1 < newestFirst.size() && isWanted(); ++index) {
         const auto newer = files::Bag::open(newestFirst[index].path);
         const auto older = files::Bag::open(newestFirst[index + 1].path);
         if (newer && older)
@@ -44,10 +43,6 @@ Timeline::Timeline(QWidget *parent) : QTreeWidget(parent)
     setColumnWidth(Taken, 150);
     setColumnWidth(Files, 60);
     setColumnWidth(Changed, 75);
-    connect(&m_counting, &QFutureWatcherBase::finished, this, [this] {
-        m_changes = m_counting.result();
-        showRows();
-    });
 }
 
 void Timeline::showEntries(const QList<ArchiveEntry> &entries)
@@ -61,7 +56,13 @@ void Timeline::showEntries(const QList<ArchiveEntry> &entries)
     }
     m_entries = entries;
     showRows();
-    m_counting.setFuture(QtConcurrent::run(changesOf, m_entries));
+    m_count = std::make_unique<QObject>(); // an earlier count is of no use
+    m_counting.run(
+        m_count.get(), [entries](const files::IsWanted &isWanted) { return changesOf(entries, isWanted); },
+        [this](const QHash<QString, int> &changes) {
+            m_changes = changes;
+            showRows();
+        });
 }
 
 void Timeline::showRows()

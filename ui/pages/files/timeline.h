@@ -3,7 +3,7 @@
 #pragma once
 
 #include "files/archive.h"
-#include <QFutureWatcher>
+#include "files/worker.h"
 #include <QTreeWidget>
 
 namespace pages {
@@ -28,7 +28,8 @@ private:
 
     QList<files::ArchiveEntry> m_entries; ///< As the rows.
     QHash<QString, int> m_changes; ///< By id: files that differ from the backup before.
-    QFutureWatcher<QHash<QString, int>> m_counting;
+    std::unique_ptr<QObject> m_count; ///< Wants the count that is under way.
+    files::Worker m_counting; // a folder in the network can keep one waiting
 };
 
 } // namespace pages
