@@ -41,6 +41,12 @@ QSpinBox *spin(const QString &suffix, const char *name, const QString &unlimited
 
 values::Result<files::Bag> noBag() { return values::failure(values::ErrorKind::LocalFile); }
 
+/// As the list of backups calls it.
+QString nameOf(const files::ArchiveEntry &entry)
+{
+    return QLocale().toString(entry.taken.toLocalTime(), QLocale::ShortFormat);
+}
+
 } // namespace
 
 BackupPage::BackupPage(const Context &context, QWidget *parent)
@@ -62,13 +68,15 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
 {
     auto *content = new QWidget;
     auto *row = new QHBoxLayout(content);
-    row->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    row->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     row->setSpacing(ui::space::gap);
     row->addWidget(timelineCard(), 2);
     row->addWidget(m_comparison, 3);
     fillComparison();
     setContent(content);
     connect(m_timeline, &QTreeWidget::itemSelectionChanged, this, &BackupPage::updateButtons);
+    connect(m_timeline, &QTreeWidget::itemSelectionChanged, m_comparison, &ComparisonCard::forget);
+    connect(m_with, &QComboBox::currentIndexChanged, m_comparison, &ComparisonCard::forget);
     connect(m_backUp, &QPushButton::clicked, this, &BackupPage::backUp);
     connect(m_verify, &QPushButton::clicked, this, &BackupPage::verifyChosen);
     connect(m_pin, &QPushButton::clicked, this, &BackupPage::togglePin);
@@ -290,9 +298,11 @@ void BackupPage::compareChosen()
     const auto bag = entry ? files::Bag::open(entry->path) : noBag();
     if (!bag)
         return;
+    const QString name = nameOf(*entry);
     if (m_with->currentIndex() == Controller)
-        return readController(
-            [this, set = bag->files()](const files::FileSet &now) { m_comparison->showSets(set, now); });
+        return readController([this, name, set = bag->files()](const files::FileSet &now) {
+            m_comparison->showSets(set, now, name, tr("the controller now"));
+        });
     const int row = m_timeline->chosenRow();
     const int other = m_with->currentIndex() == TheOneBefore ? row + 1 : 0;
     const auto &entries = m_timeline->entries();
@@ -300,9 +310,9 @@ void BackupPage::compareChosen()
     if (!second)
         return m_comparison->showSentence(tr("There is no other backup to compare with."));
     if (other > row)
-        m_comparison->showSets(second->files(), bag->files());
+        m_comparison->showSets(second->files(), bag->files(), nameOf(entries[other]), name);
     else
-        m_comparison->showSets(bag->files(), second->files());
+        m_comparison->showSets(bag->files(), second->files(), name, nameOf(entries[other]));
 }
 
 void BackupPage::readController(const std::function<void(const files::FileSet &)> &handler)
