@@ -67,7 +67,7 @@ struct Desk : Harness {
         readTimeout = std::chrono::milliseconds {1000};
         if (!connectLive())
             return false;
-        access.enter(robot::Level::Engineer);
+        access().enter(robot::Level::Engineer);
         virtualcontroller::Memory &memory = server->memory();
         memory.isJobRunning = false;
         memory.status = Status {Status::Data1 {Status::Remote} | Status::Play | Status::Continuous, Status::ServoOn};
@@ -146,8 +146,8 @@ const Event events[] {
             desk.status().data2.setFlag(Status::ServoOn);
         },
         [](Desk &desk) { return !hasData2<Status::Alarm>(desk) && hasData2<Status::ServoOn>(desk); }},
-    {"monitor", [](Desk &desk) { desk.access.enter(robot::Level::Monitor); }, always,
-        [](Desk &desk) { desk.access.enter(robot::Level::Engineer); }, always},
+    {"monitor", [](Desk &desk) { desk.access().enter(robot::Level::Monitor); }, always,
+        [](Desk &desk) { desk.access().enter(robot::Level::Engineer); }, always},
     {"armed", [](Desk &desk) { desk.orders().arm(); }, [](Desk &desk) { return desk.orders().isArmed(); },
         [](Desk &desk) { desk.orders().arming().drop(robot::Arming::Drop::ByHand); },
         [](Desk &desk) { return !desk.orders().isArmed(); }},
