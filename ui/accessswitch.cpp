@@ -5,6 +5,7 @@
 #include "ui/conditionwords.h"
 #include "ui/dialogs/accessdialog.h"
 #include "ui/theme.h"
+#include "ui/widgets/text.h"
 #include <QActionGroup>
 #include <QMenu>
 
@@ -35,6 +36,10 @@ AccessSwitch::AccessSwitch(robot::Access &access, QWidget *parent) : QPushButton
     m_passcode->setObjectName(QStringLiteral("accessSettings"));
     setMenu(menu);
     connect(&access, &robot::Access::levelChanged, this, &AccessSwitch::showLevel);
+    QStringList texts;
+    for (const Level level : {Level::Monitor, Level::Operate, Level::Engineer})
+        texts << title(level).toUpper();
+    widgets::reserveWidth(this, texts);
     showLevel();
 }
 

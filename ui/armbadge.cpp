@@ -3,6 +3,7 @@
 #include "ui/armbadge.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/text.h"
 
 using namespace std::chrono_literals;
 
@@ -17,6 +18,7 @@ ArmBadge::ArmBadge(robot::Orders &orders, QWidget *parent) : QPushButton(parent)
     QFont small = ui::font(Type::Label);
     small.setWeight(QFont::DemiBold);
     setFont(small);
+    widgets::reserveWidth(this, {tr("ARMED · %1 s").arg(60)});
     setToolTip(tr("This controller is armed: press to disarm."));
     connect(this, &QPushButton::clicked, this, [this] { m_orders.arming().drop(robot::Arming::Drop::ByHand); });
     connect(&m_clock, &QTimer::timeout, this, &ArmBadge::showArming);

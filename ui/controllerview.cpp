@@ -13,6 +13,7 @@
 #include "ui/pagecatalog.h"
 #include "ui/pagewindow.h"
 #include "ui/robotstrip.h"
+#include "ui/widgets/noticestack.h"
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QStackedWidget>
@@ -39,9 +40,10 @@ ControllerView::ControllerView(std::shared_ptr<station::Station> station, const 
       m_station {std::move(station)},
       m_actions {actions},
       m_rail {new NavigationRail(controller().state(), m_station->profile(), actions)},
-      m_bar {new widgets::MessageBar},
-      m_lockBar {new widgets::MessageBar},
-      m_journalBar {new widgets::MessageBar},
+      m_notices {new widgets::NoticeStack(this)},
+      m_notice {m_notices->add(QStringLiteral("linkNotice"))},
+      m_lockNotice {m_notices->add(QStringLiteral("lockNotice"))},
+      m_journalNotice {m_notices->add(QStringLiteral("journalNotice"))},
       m_stack {new QStackedWidget},
       m_pages(qsizetype(pageCatalog().size()), nullptr),
       m_stripInterest {controller().poller().want(alwaysRead())}
@@ -51,17 +53,16 @@ ControllerView::ControllerView(std::shared_ptr<station::Station> station, const 
     column->setSpacing(0);
     column->addWidget(makeStrip());
     column->addWidget(makeBoard(), 1);
-    m_bar->setObjectName(QStringLiteral("messageBar"));
-    m_lockBar->setObjectName(QStringLiteral("lockBar"));
-    m_journalBar->setObjectName(QStringLiteral("journalBar"));
+    m_notice->setClosable(true);
+    m_journalNotice->setClosable(true);
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
     const QString &name = m_station->profile().name;
     const auto *backup = new BackupAge(name, m_station->notes(), this);
     connect(backup, &BackupAge::told, m_rail, &NavigationRail::showBackup);
-    connect(m_bar, &widgets::MessageBar::linkActivated, this, [this] {
-        if (m_barAction)
-            m_actions.action(*m_barAction)->trigger();
+    connect(m_notice, &widgets::MessageBar::linkActivated, this, [this] {
+        if (m_noticeAction)
+            m_actions.action(*m_noticeAction)->trigger();
     });
     const auto *contact = new FirstContact(controller(), m_station->shared.store, this);
     connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
@@ -75,7 +76,7 @@ ControllerView::ControllerView(std::shared_ptr<station::Station> station, const 
 RobotStrip *ControllerView::makeStrip()
 {
     auto *strip = new RobotStrip(controller().state(), m_station->profile());
-    strip->addBadge(new ArmBadge(orders()));
+    strip->addMark(new ArmBadge(orders()));
     strip->addBadge(new AccessSwitch(m_station->access));
     connect(strip, &RobotStrip::holdRequested, this, &ControllerView::hold);
     return strip;
@@ -83,21 +84,12 @@ RobotStrip *ControllerView::makeStrip()
 
 QWidget *ControllerView::makeBoard()
 {
-    auto *content = new QVBoxLayout;
-    content->setSpacing(0);
-    m_bar->setContentsMargins(space::page, space::page, space::page, 0);
-    m_lockBar->setContentsMargins(space::page, space::page, space::page, 0);
-    m_journalBar->setContentsMargins(space::page, space::page, space::page, 0);
-    content->addWidget(m_lockBar);
-    content->addWidget(m_journalBar);
-    content->addWidget(m_bar);
-    content->addWidget(m_stack, 1);
     auto *result = new QWidget;
     auto *row = new QHBoxLayout(result);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     row->addWidget(m_rail);
-    row->addLayout(content, 1);
+    row->addWidget(m_stack, 1);
     return result;
 }
 
@@ -114,6 +106,7 @@ pages::Page *ControllerView::makePage(int row)
     const PageRow &entry = pageCatalog()[std::size_t(row)];
     pages::Page *page = entry.create(context, m_stack);
     page->setObjectName(QLatin1String(entry.id) + QStringLiteral("Page"));
+    page->setName(title(entry));
     for (const auto signal : {&pages::Page::topicsChanged, &pages::Page::visibilityChanged})
         connect(page, signal, this, [this, page] { readFor(page); });
     page->showLink(linkView(controller()));
@@ -156,12 +149,23 @@ void ControllerView::follow()
     connect(&controller(), &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
     connect(&controller(), &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
     connect(&orders(), &robot::Orders::pendantLockChanged, this, &ControllerView::showLock);
-    connect(m_lockBar, &widgets::MessageBar::linkActivated, this, &ControllerView::releaseLock);
+    connect(m_lockNotice, &widgets::MessageBar::linkActivated, this, &ControllerView::releaseLock);
     connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
 }
 
 /// The widgets look at the station: they go first.
-ControllerView::~ControllerView() { qDeleteAll(findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly)); }
+ControllerView::~ControllerView()
+{
+    delete m_notices;
+    qDeleteAll(findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+bool ControllerView::event(QEvent *event)
+{
+    if (event->type() == QEvent::ParentChange || event->type() == QEvent::Show)
+        m_notices->layOver(window());
+    return QWidget::event(event);
+}
 
 void ControllerView::openPage(int row)
 {
@@ -280,8 +284,8 @@ void ControllerView::openReadiness(bool isAsked)
 
 void ControllerView::show(const Notice &notice)
 {
-    m_barAction = notice.action;
-    m_bar->show(notice.message);
+    m_noticeAction = notice.action;
+    m_notice->show(notice.message);
     const bool isPassing = notice.message.severity == widgets::Severity::Notice
         && controller().linkState() == LinkState::Monitoring && controller().holdProgress() != HoldProgress::Sent;
     if (isPassing && !notice.message.text.isEmpty())
@@ -317,7 +321,7 @@ void ControllerView::showLock()
     const QString text = tr("HLOCK is on at %1: the pendant is locked out, but for its emergency stop.");
     const widgets::Message locked {
         widgets::Severity::Warning, text.arg(m_station->profile().name), tr("Release HLOCK")};
-    m_lockBar->show(orders().isPendantLocked() ? locked : widgets::Message {});
+    m_lockNotice->show(orders().isPendantLocked() ? locked : widgets::Message {});
 }
 
 /// Everything that is ordered is written down; while that fails work goes on and every page says so.
@@ -326,17 +330,16 @@ void ControllerView::followJournal()
     using journal::Store;
     using widgets::Severity;
     Store &journal = m_station->shared.journal;
-    const auto fail = [this](const QString &reason) { m_journalBar->show({Severity::Warning, reason, {}}); };
+    const auto fail = [this](const QString &reason) { m_journalNotice->show({Severity::Warning, reason, {}}); };
     connect(&journal, &Store::failed, this, fail);
     connect(&journal, &Store::recovered, this, [this](qint64 dropped) {
         const QString lost = tr("The journal works again. %n record(s) were lost.", nullptr, int(dropped));
-        m_journalBar->show(dropped > 0 ? widgets::Message {Severity::Warning, lost, tr("Close")} : widgets::Message {});
+        m_journalNotice->show(dropped > 0 ? widgets::Message {Severity::Warning, lost, {}} : widgets::Message {});
     });
     connect(&journal, &Store::setAside, this, [this](const QString &path) {
         const QString text = tr("The journal was damaged. It was kept as %1, and a new one was begun.");
-        m_journalBar->show({Severity::Warning, text.arg(path), tr("Close")});
+        m_journalNotice->show({Severity::Warning, text.arg(path), {}});
     });
-    connect(m_journalBar, &widgets::MessageBar::linkActivated, this, [this] { m_journalBar->show({}); });
     if (!journal.trouble().isEmpty())
         fail(journal.trouble());
 }

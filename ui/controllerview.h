@@ -4,6 +4,7 @@
 
 #include "station/station.h"
 #include "ui/messages.h"
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 #include <memory>
@@ -12,7 +13,8 @@ class QStackedWidget;
 
 namespace widgets {
 class MessageBar;
-}
+class NoticeStack;
+} // namespace widgets
 
 namespace pages {
 class Page;
@@ -24,8 +26,8 @@ class NavigationRail;
 class PageWindow;
 class RobotStrip;
 
-/// Shows one controller: its strip, rail, message bar and pages. A page is made when it is first opened. Another
-/// controller gets a new view, and so does another language.
+/// Shows one controller: its strip, rail, pages, and notices over the lower edge of the window. A page is made when it
+/// is first opened. Another controller gets a new view, and so does another language.
 class ControllerView : public QWidget
 {
     Q_OBJECT
@@ -74,6 +76,7 @@ Q_SIGNALS:
     void pageOpened(int row);
 
 protected:
+    bool event(QEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
 
 private:
@@ -97,15 +100,16 @@ private:
     std::shared_ptr<station::Station> m_station;
     const Actions &m_actions;
     NavigationRail *m_rail;
-    widgets::MessageBar *m_bar;
-    widgets::MessageBar *m_lockBar; ///< On every page while HLOCK is on.
-    widgets::MessageBar *m_journalBar; ///< On every page while the journal fails.
+    QPointer<widgets::NoticeStack> m_notices; ///< A child of the window.
+    widgets::MessageBar *m_notice;
+    widgets::MessageBar *m_lockNotice; ///< While HLOCK is on.
+    widgets::MessageBar *m_journalNotice; ///< While the journal fails.
     QStackedWidget *m_stack;
     int m_pageInView = 0;
     QList<pages::Page *> m_pages; ///< In the order of the page catalogue; nullptr until it is opened.
     robot::Poller::Interest m_stripInterest;
     QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.
-    std::optional<ActionId> m_barAction;
+    std::optional<ActionId> m_noticeAction;
     QTimer m_fade; ///< Takes away what need not be read twice.
 };
 

@@ -24,6 +24,7 @@ QString word(Outcome outcome)
     case Outcome::Done: return OrderTexts::tr("✓ done");
     case Outcome::Refused: return OrderTexts::tr("✗ refused");
     case Outcome::Unknown: return OrderTexts::tr("▲ unknown");
+    case Outcome::Cancelled: return OrderTexts::tr("□ cancelled");
     case Outcome::Withheld: break;
     }
     return OrderTexts::tr("□ not sent");
@@ -35,6 +36,7 @@ Role roleOf(Outcome outcome)
     case Outcome::Refused:
     case Outcome::Unknown: return Role::Amber;
     case Outcome::Done: return Role::Text1;
+    case Outcome::Cancelled:
     case Outcome::Withheld: break;
     }
     return Role::Text2;

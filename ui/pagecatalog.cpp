@@ -84,7 +84,7 @@ constexpr const char *trendHelp[] {
 };
 constexpr const char *jobsHelp[] {
     QT_TRANSLATE_NOOP("Pages", "The jobs on the controller and the text of the chosen one, with the line that is executed. A banner says when the text may be old."),
-    QT_TRANSLATE_NOOP("Pages", "“Selected” and “Executing” are two things: what a start would begin, and what runs."),
+    QT_TRANSLATE_NOOP("Pages", "“Job” is what the controller names: at rest the job that a start would begin, else the one that runs. “Run” says which."),
     QT_TRANSLATE_NOOP("Pages", "Start needs REMOTE, PLAY, servo on, the level Operate and an armed controller. Its sheet names controller, job and line, and the button works after one second. Nothing is ever started twice."),
     QT_TRANSLATE_NOOP("Pages", "Buttons show what was read. “Pending” stands until the status agrees."),
     QT_TRANSLATE_NOOP("Pages", "HOLD from here can be released here. A hold by the pendant is released there."),

@@ -11,6 +11,8 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
+#include <algorithm>
+#include <numeric>
 
 namespace ui {
 
@@ -21,28 +23,73 @@ using widgets::StateField;
 
 namespace {
 
+constexpr int alarmField = 4;
+
 struct StripCell {
     const char *name;
     const char *title;
     widgets::Word (*word)(const values::Status &);
-    bool isElided = false; ///< Words that may grow long; all of them are on the overview.
+    int width;
 };
 
 constexpr StripCell fields[] {
-    {"stripMode", QT_TRANSLATE_NOOP("ui::RobotStrip", "Mode"), modeWord, true},
-    {"stripServo", QT_TRANSLATE_NOOP("ui::RobotStrip", "Servo"), servoWord},
-    {"stripRun", QT_TRANSLATE_NOOP("ui::RobotStrip", "Run"), runWord, true},
-    {"stripHold", QT_TRANSLATE_NOOP("ui::RobotStrip", "Hold"), holdWord, true},
-    {"stripAlarm", QT_TRANSLATE_NOOP("ui::RobotStrip", "Alarm"), alarmWord},
-    {"stripError", QT_TRANSLATE_NOOP("ui::RobotStrip", "Error"), errorWord},
+    {"stripMode", QT_TRANSLATE_NOOP("ui::RobotStrip", "Mode"), modeWord, 140},
+    {"stripServo", QT_TRANSLATE_NOOP("ui::RobotStrip", "Servo"), servoWord, 78},
+    {"stripRun", QT_TRANSLATE_NOOP("ui::RobotStrip", "Run"), runWord, 128},
+    {"stripHold", QT_TRANSLATE_NOOP("ui::RobotStrip", "Hold"), holdWord, 100},
+    {"stripAlarm", QT_TRANSLATE_NOOP("ui::RobotStrip", "Alarm"), alarmWord, 0},
+    {"stripError", QT_TRANSLATE_NOOP("ui::RobotStrip", "Error"), errorWord, 80},
 };
 
+constexpr int linkWidth = 104;
 constexpr int cellMargin = 9;
+constexpr int leftMargin = space::page - 4;
+
+/// The cells that share what a window has. Their widths follow from the window alone, never from the words in them.
+struct Shares {
+    int window;
+    int name;
+    int alarm;
+    int job;
+    int hold;
+};
+constexpr Shares shares[] {{1366, 180, 196, 174, 150}, {1440, 190, 224, 210, 150}, {1920, 240, 444, 390, 180}};
+constexpr int leastWindow = 1024;
+constexpr int leastWithLink = 1088;
+
+int fixedWidth()
+{
+    return std::accumulate(std::begin(fields), std::end(fields), leftMargin + space::page,
+        [](int sum, const StripCell &field) { return sum + field.width; });
+}
+
+/// Without the job, which is on the overview too, and then without the link, of which every page line tells.
+Shares narrowShares(int window)
+{
+    const Shares &least = shares[0];
+    const int link = window < leastWithLink ? 0 : linkWidth;
+    return {window, least.name, window - fixedWidth() - link - least.name - least.hold, 0, least.hold};
+}
+
+Shares sharesOf(int window)
+{
+    if (window < shares[0].window)
+        return narrowShares(std::max(window, leastWindow));
+    const auto *above = std::ranges::find_if(shares, [window](const Shares &row) { return window < row.window; });
+    if (above == std::end(shares))
+        return std::end(shares)[-1];
+    const Shares &below = above[-1];
+    const auto between = [&](int Shares::*cell) {
+        return below.*cell + (above->*cell - below.*cell) * (window - below.window) / (above->window - below.window);
+    };
+    return {window, between(&Shares::name), between(&Shares::alarm), between(&Shares::job), between(&Shares::hold)};
+}
 
 StateField *cell(const char *name, const QString &title)
 {
     auto *field = new StateField(title, Type::StripState);
     field->value()->setObjectName(QLatin1String(name));
+    field->value()->setElided(true);
     field->layout()->setContentsMargins(cellMargin, 0, cellMargin, 0);
     return field;
 }
@@ -85,21 +132,22 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
       m_state {state},
       m_encoding {profile.encoding},
       m_row {new QHBoxLayout(this)},
-      m_job {new widgets::ValueLabel(Type::StripState)},
-      m_place {new widgets::ValueLabel(Type::Body)},
+      m_name {nameCell(profile)},
+      m_job {cell("stripJob", tr("Job"))},
       m_link {cell("stripLink", tr("Link"))},
       m_hold {new widgets::HoldButton}
 {
     setFixedHeight(space::strip);
-    m_row->setContentsMargins(space::page - 4, 0, space::page, 0);
+    m_row->setContentsMargins(leftMargin, 0, space::page, 0);
     m_row->setSpacing(0);
-    m_row->addWidget(nameCell(profile), 2);
+    m_row->addWidget(m_name);
     addStatusCells();
-    m_jobCell = jobCell();
-    m_row->addWidget(m_jobCell, 3);
-    m_link->value()->setElided(true);
+    m_row->addWidget(m_job);
+    m_link->setFixedWidth(linkWidth);
     m_row->addWidget(m_link);
+    m_row->addStretch();
     m_row->addWidget(m_hold);
+    useFittingType();
     m_hold->setObjectName(QStringLiteral("holdButton"));
     connect(m_hold, &QAbstractButton::pressed, this, &RobotStrip::holdRequested);
     connect(&state, &robot::RobotState::changed, this, &RobotStrip::onChanged);
@@ -118,45 +166,29 @@ QWidget *RobotStrip::nameCell(const settings::Profile &profile)
     m_badges = new QHBoxLayout;
     m_badges->setSpacing(6);
     m_badges->addWidget(originOf(profile), 1, Qt::AlignLeft);
+    m_nameLine = new QHBoxLayout;
+    m_nameLine->setSpacing(6);
+    m_nameLine->addWidget(name, 1);
     auto *column = new QVBoxLayout(result);
     column->setContentsMargins(0, 0, cellMargin, 0);
     column->setSpacing(1);
     column->addStretch();
     column->addLayout(m_badges);
-    column->addWidget(name);
+    column->addLayout(m_nameLine);
     column->addStretch();
     return result;
 }
 
 void RobotStrip::addBadge(QWidget *badge) { m_badges->addWidget(badge); }
 
-QWidget *RobotStrip::jobCell() const
-{
-    auto *result = new QWidget;
-    m_job->setObjectName(QStringLiteral("stripJob"));
-    m_job->setTitle(tr("Executing"));
-    m_job->setElided(true);
-    m_place->setObjectName(QStringLiteral("stripPlace"));
-    m_place->setElided(true);
-    auto *line = new QHBoxLayout;
-    line->setSpacing(8);
-    line->addWidget(m_job);
-    line->addWidget(m_place, 1);
-    auto *column = new QVBoxLayout(result);
-    column->setContentsMargins(cellMargin, 0, cellMargin, 0);
-    column->setSpacing(1);
-    column->addStretch();
-    column->addWidget(widgets::text(tr("Executing"), Type::Label, Role::Text2));
-    column->addLayout(line);
-    column->addStretch();
-    return result;
-}
+void RobotStrip::addMark(QWidget *mark) { m_nameLine->addWidget(mark); }
 
 void RobotStrip::addStatusCells()
 {
     for (const StripCell &field : fields) {
         m_statusFields << cell(field.name, tr(field.title));
-        m_statusFields.back()->value()->setElided(field.isElided);
+        if (field.width > 0)
+            m_statusFields.back()->setFixedWidth(field.width);
         m_row->addWidget(m_statusFields.back());
     }
 }
@@ -180,10 +212,9 @@ void RobotStrip::showJob()
 {
     const auto freshness = m_state.freshness(robot::topics::masterJob);
     const auto name = [this](const values::ExecutingJob &job) { return widgets::Word {jobName(job, m_encoding)}; };
-    const auto place = [](const values::ExecutingJob &job) { return widgets::Word {jobPlace(job)}; };
     m_job->show(widgets::shown(m_state.job(), freshness, name));
-    m_place->show(widgets::shown(m_state.job(), freshness, place));
-    m_place->setVisible(m_state.job().value.has_value());
+    const QString place = freshness == robot::Freshness::Live ? jobPlace(*m_state.job().value) : QString();
+    m_job->setTitle(place.isEmpty() ? tr("Job") : tr("Job · %1").arg(place));
 }
 
 void RobotStrip::showLink(const LinkView &link)
@@ -199,10 +230,8 @@ void RobotStrip::showStatistics(const session::LinkStatistics &statistics)
     showLinkCell();
 }
 
-/// The cell never gets narrower: digits differ, and the neighbours stand still.
 void RobotStrip::showLinkCell()
 {
-    m_link->setMinimumWidth(std::max(m_link->minimumWidth(), m_link->minimumSizeHint().width()));
     const QString age = ageText(m_statistics.lastAnswerAge);
     const bool hasAnswered = m_statistics.lastAnswerAge.has_value();
     m_link->setTitle(
@@ -219,39 +248,33 @@ void RobotStrip::showLinkCell()
     m_link->show(fact(tr("not connected"), Lamp::Hollow));
 }
 
-QSize RobotStrip::minimumSizeHint() const
+QSize RobotStrip::minimumSizeHint() const { return {leastWindow, space::strip}; }
+
+void RobotStrip::resizeEvent(QResizeEvent *event)
 {
-    const int job = m_jobCell->isVisibleTo(this) ? m_jobCell->minimumSizeHint().width() : 0;
-    return {m_row->totalMinimumSize().width() - job, space::strip};
+    const Shares now = sharesOf(width());
+    m_name->setFixedWidth(now.name);
+    m_statusFields[alarmField]->setFixedWidth(now.alarm);
+    m_job->setFixedWidth(now.job);
+    m_job->setVisible(now.job > 0);
+    m_link->setVisible(width() >= leastWithLink);
+    m_hold->setFixedWidth(now.hold);
+    m_row->activate();
+    QWidget::resizeEvent(event);
 }
 
-bool RobotStrip::event(QEvent *event)
+/// Smaller words where the usual ones of this language and font would be shortened.
+void RobotStrip::useFittingType()
 {
-    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
-        makeRoom();
-    return QWidget::event(event);
-}
-
-/// The job is on the overview too: in a narrow window it makes room for what is only here. The states are written
-/// smaller before one of them is shortened, and bigger again when there surely is room.
-void RobotStrip::makeRoom()
-{
-    const int job = m_jobCell->isVisibleTo(this) ? m_jobCell->sizeHint().width() : 0;
-    const int others = m_row->totalSizeHint().width() - job;
-    m_jobCell->setVisible(others + m_jobCell->minimumSizeHint().width() <= width());
-    constexpr qreal growth = 1.3; // of strip words against those of the body
-    if (m_isTight ? others * growth <= width() : others > width())
-        setTight(!m_isTight);
-}
-
-void RobotStrip::setTight(bool isTight)
-{
-    m_isTight = isTight;
-    QFont words = ui::font(isTight ? Type::Body : Type::StripState);
+    values::Status usual;
+    usual.data1 = values::Status::Remote | values::Status::Play;
+    const int room = fields[0].width - 2 * cellMargin;
+    QFont words = ui::font(Type::StripState);
+    if (QFontMetrics(words).horizontalAdvance(modeWord(usual).text) > room)
+        words = ui::font(Type::Body);
     words.setWeight(QFont::DemiBold);
-    for (const StateField *field : m_statusFields)
+    for (const StateField *field : m_statusFields + QList<StateField *> {m_job, m_link})
         field->value()->setFont(words);
-    m_link->value()->setFont(words);
 }
 
 void RobotStrip::paintEvent(QPaintEvent *)

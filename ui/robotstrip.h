@@ -10,7 +10,6 @@ class QHBoxLayout;
 namespace widgets {
 class HoldButton;
 class StateField;
-class ValueLabel;
 } // namespace widgets
 
 namespace ui {
@@ -23,8 +22,10 @@ class RobotStrip : public QWidget
 public:
     RobotStrip(const robot::RobotState &state, const settings::Profile &profile, QWidget *parent = nullptr);
 
-    /// Small things beside the name, from left to right: the access level, ARMED.
+    /// A small thing above the name: the access level.
     void addBadge(QWidget *badge);
+    /// One beside the name, which gives way while it is there: ARMED.
+    void addMark(QWidget *mark);
     void showLink(const LinkView &link);
     void showStatistics(const session::LinkStatistics &statistics);
 
@@ -36,13 +37,11 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    bool event(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     [[nodiscard]] QWidget *nameCell(const settings::Profile &profile);
-    [[nodiscard]] QWidget *jobCell() const;
-    void makeRoom();
-    void setTight(bool isTight);
+    void useFittingType();
     void addStatusCells();
     void onChanged(const robot::TopicRange &range);
     void showStatus();
@@ -53,15 +52,14 @@ private:
     protocol::Encoding m_encoding;
     QHBoxLayout *m_row;
     QHBoxLayout *m_badges = nullptr;
+    QHBoxLayout *m_nameLine = nullptr;
     QList<widgets::StateField *> m_statusFields; ///< In the order of the table of fields.
-    QWidget *m_jobCell = nullptr;
-    widgets::ValueLabel *m_job;
-    widgets::ValueLabel *m_place; ///< Line, step and override of the job.
+    QWidget *m_name;
+    widgets::StateField *m_job;
     widgets::StateField *m_link;
     widgets::HoldButton *m_hold;
     LinkView m_linkView;
     session::LinkStatistics m_statistics;
-    bool m_isTight = false; ///< The window is too narrow for big words.
 };
 
 } // namespace ui

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/theme.h"
 
+#include "ui/plainstyle.h"
 #include <QApplication>
 #include <QFontDatabase>
-#include <QStyleFactory>
 #include <QToolTip>
 #include <QWidget>
 
@@ -53,6 +53,7 @@ constexpr TypeRow typeRow(Type type)
     switch (type) {
     case Type::Label: return {0.85, QFont::Normal};
     case Type::Heading: return {0.9, QFont::DemiBold};
+    case Type::PageName: return {1.25, QFont::DemiBold};
     case Type::State: return {1.4, QFont::DemiBold};
     case Type::StripState: return {1.3, QFont::DemiBold};
     case Type::Position: return {1.45, QFont::DemiBold};
@@ -226,7 +227,7 @@ void apply(QApplication &application, Scheme scheme)
 {
     (void)desktopScheme();
     static const QFont desktopFont = QApplication::font();
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setStyle(new PlainStyle);
     QApplication::setFont(applicationFont(desktopFont));
     QApplication::setPalette(palette(scheme));
     application.setStyleSheet(styleSheet(scheme));

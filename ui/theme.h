@@ -60,6 +60,7 @@ enum class Type {
     Label, ///< Small words over values, column heads.
     Heading, ///< Card titles.
     Body,
+    PageName,
     State, ///< Big words.
     StripState,
     Position,
@@ -84,6 +85,7 @@ constexpr int gap = 14; ///< Between cards.
 constexpr int inside = 14; ///< Inside a card.
 constexpr int radius = 5;
 constexpr int strip = 72;
+constexpr int pageLine = 50; ///< Under the strip, on every page.
 constexpr int rail = 216;
 constexpr int icon = 17;
 } // namespace space

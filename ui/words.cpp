@@ -146,6 +146,8 @@ QString overrideText(const values::ExecutingJob &job)
 
 QString jobPlace(const values::ExecutingJob &job)
 {
+    if (job.name.isEmpty())
+        return {};
     return Words::tr("line %1 · step %2 · %3")
         .arg(QLocale().toString(job.line), QLocale().toString(job.step), overrideText(job));
 }

@@ -35,7 +35,8 @@ namespace ui {
 
 [[nodiscard]] QString jobName(
     const values::ExecutingJob &job, protocol::Encoding encoding); ///< "—" while no job is selected.
-[[nodiscard]] QString jobPlace(const values::ExecutingJob &job); ///< "line 47 · step 12 · 80 %"
+[[nodiscard]] QString jobPlace(
+    const values::ExecutingJob &job); ///< "line 47 · step 12 · 80 %"; empty while no job is selected.
 [[nodiscard]] QString overrideText(const values::ExecutingJob &job); ///< "80 %", "12.5 %"
 
 [[nodiscard]] QString millimetres(qint32 micrometres); ///< Three decimals, by the locale.

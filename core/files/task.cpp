@@ -35,6 +35,7 @@ journal::Outcome outcomeOf(const Operation &operation)
     switch (operation.error().value_or(Error {ErrorKind::Cancelled}).kind) {
     case ErrorKind::Refused: return journal::Outcome::Refused;
     case ErrorKind::UnknownOutcome: return journal::Outcome::Unknown;
+    case ErrorKind::Cancelled: return journal::Outcome::Cancelled;
     default: return journal::Outcome::Withheld;
     }
 }

@@ -10,6 +10,7 @@ const char *key(Outcome outcome)
     case Outcome::Done: return "done";
     case Outcome::Refused: return "refused";
     case Outcome::Unknown: return "unknown";
+    case Outcome::Cancelled: return "cancelled";
     case Outcome::Withheld: break;
     }
     return "withheld";

@@ -16,6 +16,7 @@ enum class Outcome {
     Refused, ///< The controller refused it; see OrderRecord::reply.
     Unknown, ///< Sent once and not answered.
     Withheld, ///< A condition was not met, so nothing was sent.
+    Cancelled, ///< The person cancelled it under way.
 };
 
 /// One try to change something at a controller. Everything is kept as it was at that moment and never edited.

@@ -72,6 +72,12 @@ const StatusCode *findStatusCode(quint16 code)
     return found != rows.end() && found->code == code ? &*found : nullptr;
 }
 
+bool isNotTaught(const Error &error)
+{
+    const quint16 code = effectiveCode(error);
+    return error.kind == ErrorKind::Refused && (code == 0xB001 || code == 0xB005);
+}
+
 quint16 effectiveCode(const Error &refusal)
 {
     return refusal.addedStatus ? refusal.addedStatus : codeOfBareStatus(refusal.status);

@@ -22,6 +22,8 @@ struct StatusCode {
 
 /// The code that says why a reply is a refusal, the bare statuses 0x08, 0x09 and 0x28 taken for their equals 0xA000,
 /// 0xA002 and 0xA001 (reference §1.6).
+/// A position variable that was never set (reference §4.4): no fault, and no refusal of the reader.
+[[nodiscard]] bool isNotTaught(const values::Error &error);
 [[nodiscard]] quint16 effectiveCode(const values::Error &refusal);
 
 /// 0x2090 0xD8F1 0xD8FA 0xE444 0xFFF6: the same request may do in a moment.

@@ -21,8 +21,8 @@ journal::Outcome outcomeOf(const Result<void> &result)
     case ErrorKind::Refused: return journal::Outcome::Refused;
     case ErrorKind::NotSent:
     case ErrorKind::BadInput:
-    case ErrorKind::LocalFile:
-    case ErrorKind::Cancelled: return journal::Outcome::Withheld;
+    case ErrorKind::LocalFile: return journal::Outcome::Withheld;
+    case ErrorKind::Cancelled: return journal::Outcome::Cancelled;
     default: return journal::Outcome::Unknown;
     }
 }

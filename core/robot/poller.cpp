@@ -62,7 +62,16 @@ Poller::Poller(RobotState &state, protocol::Dialect dialect, QObject *parent)
 
 Poller::~Poller() = default;
 
-Poller::Interest Poller::want(const QList<TopicRange> &topics)
+Poller::Interest Poller::want(const QList<TopicRange> &topics) { return hold(m_interests, topics); }
+
+Poller::Interest Poller::wantOnce(const QList<TopicRange> &topics)
+{
+    for (const TopicRange &range : topics)
+        std::erase_if(m_answered, [&](Topic topic) { return range.contains(topic) && period(topic.kind) > 0ms; });
+    return hold(m_onceInterests, topics);
+}
+
+Poller::Interest Poller::hold(Interests &interests, const QList<TopicRange> &topics)
 {
     const auto release = [self = QPointer(this)](const QList<TopicRange> *list) {
         delete list;
@@ -70,8 +79,8 @@ Poller::Interest Poller::want(const QList<TopicRange> &topics)
             self->m_isPlanOld = true;
     };
     Interest interest {new QList<TopicRange>(topics), release};
-    std::erase_if(m_interests, [](const auto &old) { return old.expired(); });
-    m_interests.push_back(interest);
+    std::erase_if(interests, [](const auto &old) { return old.expired(); });
+    interests.push_back(interest);
     m_isPlanOld = true;
     wake();
     return interest;
@@ -84,6 +93,7 @@ void Poller::start(session::Session &session)
     m_context = std::make_unique<QObject>();
     m_plan.clear();
     m_refused.clear();
+    m_answered.clear();
     m_hasAlarmTexts = true;
     m_isPlanOld = true;
     wake();
@@ -108,8 +118,7 @@ void Poller::readNow(Topic topic)
 void Poller::setProbing(bool probing)
 {
     m_isProbing = probing;
-    for (auto &[read, slot] : m_plan)
-        slot.isDone = false; // another controller may stand there now
+    m_answered.clear(); // another controller may stand there now
     m_refused.clear();
     m_isPlanOld = true;
     wake();
@@ -131,6 +140,22 @@ QList<TopicRange> Poller::wanted()
     return result;
 }
 
+/// One by one, without those that were answered.
+QList<TopicRange> Poller::wantedOnce()
+{
+    QList<TopicRange> result;
+    for (const auto &weak : m_onceInterests) {
+        const auto interest = weak.lock();
+        for (const TopicRange &range : interest && !m_isProbing ? *interest : QList<TopicRange>()) {
+            for (int number = range.first; number <= range.last; ++number) {
+                if (const Topic topic {range.kind, quint16(number)}; !m_answered.contains(topic))
+                    result << topic;
+            }
+        }
+    }
+    return result;
+}
+
 int Poller::planSize()
 {
     if (m_isPlanOld)
@@ -143,11 +168,25 @@ void Poller::replan()
 {
     m_isPlanOld = false;
     Plan plan;
-    for (const PlannedRead &read : planReads(wanted(), m_refused, m_dialect)) {
-        const auto known = m_plan.find(read);
-        plan[read] = known == m_plan.end() ? Slot {} : known->second;
-    }
+    add(plan, wanted(), false);
+    add(plan, wantedOnce(), true);
     m_plan = std::move(plan);
+}
+
+void Poller::add(Plan &plan, const QList<TopicRange> &topics, bool isOnce)
+{
+    for (const PlannedRead &read : planReads(topics, m_refused, m_dialect)) {
+        const auto known = m_plan.find(read);
+        Slot slot = known == m_plan.end() ? Slot {} : known->second;
+        slot.isOnce = isOnce || period(read.range.kind) == 0ms;
+        plan.emplace(read, slot);
+    }
+}
+
+/// Nothing is left to be asked.
+bool Poller::isDone(const PlannedRead &read, const Slot &slot) const
+{
+    return slot.isOnce && m_answered.contains({read.range.kind, read.range.first});
 }
 
 void Poller::poll()
@@ -156,7 +195,7 @@ void Poller::poll()
         replan();
     const Time at = now();
     for (auto &[read, slot] : m_plan) {
-        if (slot.due > at || slot.isDone)
+        if (slot.due > at || isDone(read, slot))
             continue;
         auto pace = period(read.range.kind) > 0ms ? period(read.range.kind) : patience;
         if (m_refused.contains({read.range.kind, read.range.first}))
@@ -174,7 +213,7 @@ void Poller::schedule(Time at)
 {
     Time next = Time::max();
     for (const auto &[read, slot] : m_plan) {
-        if (!slot.isDone)
+        if (!isDone(read, slot))
             next = std::min(next, slot.due);
     }
     if (next < Time::max())
@@ -211,8 +250,18 @@ void Poller::send(const PlannedRead &read)
     }
 }
 
-/// Asks, hands a value to `take` and settles the slot. The status, on which the link and every order depend, goes ahead
-/// of what waits.
+/// The status, on which the link and every order depend, goes ahead of what waits; what is read once never delays what
+/// is watched.
+session::Priority Poller::priorityOf(const PlannedRead &read) const
+{
+    if (read.range.kind == Kind::Status)
+        return session::Priority::Control;
+    const auto slot = m_plan.find(read);
+    const bool isOnce = slot != m_plan.end() && slot->second.isOnce;
+    return isOnce && !m_isProbing ? session::Priority::Background : session::Priority::Page;
+}
+
+/// Asks, hands a value to `take` and settles the slot.
 template <typename Request, typename Take> void Poller::ask(const PlannedRead &read, const Request &request, Take take)
 {
     const auto onReply = [this, read, take](const Result<typename Request::Reply> &value) {
@@ -221,8 +270,7 @@ template <typename Request, typename Take> void Poller::ask(const PlannedRead &r
             take(*value, at);
         settle(read, value ? std::nullopt : std::optional {value.error()}, at);
     };
-    const bool isStatus = read.range.kind == Kind::Status;
-    m_session->send(request, m_context.get(), onReply, isStatus ? session::Priority::Control : session::Priority::Page);
+    m_session->send(request, m_context.get(), onReply, priorityOf(read));
 }
 
 template <Kind kind> void Poller::sendSingle(const PlannedRead &read)
@@ -272,7 +320,8 @@ void Poller::settle(const PlannedRead &read, const std::optional<Error> &error, 
         Slot &slot = still->second;
         slot.isWaiting = false;
         const bool isAnswered = !error || error->kind == values::ErrorKind::Refused;
-        slot.isDone = isAnswered && period(read.range.kind) == 0ms;
+        if (isAnswered && slot.isOnce)
+            noteAnswered(read.range);
         if (isAnswered && std::exchange(slot.isHalf, false)
             && std::ranges::none_of(m_plan, [](const auto &row) { return row.second.isHalf; }))
             m_isPlanOld = true; // all that is refused is known: the rest shares packets again
@@ -282,14 +331,21 @@ void Poller::settle(const PlannedRead &read, const std::optional<Error> &error, 
     Q_EMIT finished(read.range, error);
 }
 
+void Poller::noteAnswered(const TopicRange &range)
+{
+    for (int number = range.first; number <= range.last; ++number)
+        m_answered.insert({range.kind, quint16(number)});
+}
+
 void Poller::settleRefusal(Plan::iterator slot, const Error &error, Time at)
 {
     const PlannedRead read = slot->first;
+    const bool isOnce = slot->second.isOnce;
     const Topic topic {read.range.kind, read.range.first};
     if (read.count > 1) {
         m_plan.erase(slot);
         for (const PlannedRead &half : halves(read.range, m_dialect))
-            m_plan[half] = {.isHalf = true};
+            m_plan[half] = {.isOnce = isOnce, .isHalf = true};
         return wake();
     }
     if (topic.kind == Kind::Alarm && std::exchange(m_hasAlarmTexts, false))

@@ -4,6 +4,7 @@
 
 #include "robot/readplan.h"
 #include "robot/robotstate.h"
+#include "session/policy.h"
 #include <QTimer>
 #include <memory>
 #include <set>
@@ -32,6 +33,8 @@ public:
     ~Poller() override;
 
     [[nodiscard]] Interest want(const QList<TopicRange> &topics);
+    /// Each topic is read once, in the background, and not again while this interest is held.
+    [[nodiscard]] Interest wantOnce(const QList<TopicRange> &topics);
 
     /// Only while nothing is read.
     void setDialect(protocol::Dialect dialect) { m_dialect = dialect; }
@@ -57,14 +60,22 @@ Q_SIGNALS:
 private:
     struct Slot {
         Time due {};
+        bool isOnce = false; ///< An answer is enough.
         bool isWaiting = false; ///< A read is on its way.
-        bool isDone = false; ///< Read once, and that was enough.
         bool isHalf = false; ///< Part of a packet that was refused, not answered yet.
     };
     using Plan = std::map<PlannedRead, Slot>;
 
+    using Interests = std::vector<std::weak_ptr<const QList<TopicRange>>>;
+
+    [[nodiscard]] Interest hold(Interests &interests, const QList<TopicRange> &topics);
     [[nodiscard]] QList<TopicRange> wanted();
+    [[nodiscard]] QList<TopicRange> wantedOnce();
+    [[nodiscard]] bool isDone(const PlannedRead &read, const Slot &slot) const;
+    [[nodiscard]] session::Priority priorityOf(const PlannedRead &read) const;
+    void noteAnswered(const TopicRange &range);
     void replan();
+    void add(Plan &plan, const QList<TopicRange> &topics, bool isOnce);
     void poll();
     void schedule(Time now);
     void send(const PlannedRead &read);
@@ -80,8 +91,10 @@ private:
     protocol::Dialect m_dialect;
     session::Session *m_session = nullptr;
     std::unique_ptr<QObject> m_context; ///< Of the reads on their way; gone with stop().
-    std::vector<std::weak_ptr<const QList<TopicRange>>> m_interests;
+    Interests m_interests;
+    Interests m_onceInterests;
     Plan m_plan;
+    std::set<Topic> m_answered; ///< Of those that are read once: for the link, or while an interest is held.
     std::set<Topic> m_refused;
     QTimer m_timer;
     bool m_isProbing = true;

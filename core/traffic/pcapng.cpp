@@ -77,7 +77,7 @@ QByteArray ipHeader(const Endpoint &from, const Endpoint &to, qsizetype udpSize,
 {
     constexpr quint16 dontFragment = 0x4000;
     constexpr quint8 timeToLive = 64;
-    constexpr quint8 udp = 17;
+    constexpr quint8 udpProtocol = 17;
     return Bytes {}
         .big(quint8(0x45))
         .big(quint8(0))
@@ -85,7 +85,7 @@ QByteArray ipHeader(const Endpoint &from, const Endpoint &to, qsizetype udpSize,
         .big(quint16(0))
         .big(dontFragment)
         .big(timeToLive)
-        .big(udp)
+        .big(udpProtocol)
         .big(sum)
         .big(from.address)
         .big(to.address)

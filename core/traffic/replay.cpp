@@ -13,7 +13,7 @@ namespace {
 constexpr quint8 refused = 0x1F; // reference §1.6
 constexpr quint16 notAccessible = 0x2110; // reference §9
 constexpr qsizetype ackOffset = 10;
-constexpr qsizetype idOffset = 11;
+constexpr qsizetype recordedIdOffset = 11;
 
 bool isFrame(QByteArrayView datagram) { return protocol::checkFrame(datagram) == protocol::FrameFault::None; }
 
@@ -21,20 +21,20 @@ bool isFrame(QByteArrayView datagram) { return protocol::checkFrame(datagram) ==
 QByteArray keyOf(Division division, QByteArrayView request)
 {
     QByteArray key = request.toByteArray();
-    key[idOffset] = char(division);
+    key[recordedIdOffset] = char(division);
     return key;
 }
 
-quint16 slot(Division division, QByteArrayView packet)
+quint16 recordedSlot(Division division, QByteArrayView packet)
 {
-    return quint16(quint16(division) << 8 | quint8(packet[idOffset]));
+    return quint16(quint16(division) << 8 | quint8(packet[recordedIdOffset]));
 }
 
 bool beginsTransfer(QByteArrayView datagram) { return datagram[ackOffset] == 0; }
 
 QByteArray withId(QByteArray packet, char id)
 {
-    packet[idOffset] = id;
+    packet[recordedIdOffset] = id;
     return packet;
 }
 
@@ -61,7 +61,7 @@ Replay::Replay(const QList<Packet> &packets)
 /// too.
 void Replay::learn(const Packet &packet, std::map<quint16, QByteArray> &open)
 {
-    const quint16 id = slot(packet.division, packet.bytes);
+    const quint16 id = recordedSlot(packet.division, packet.bytes);
     if (packet.passage == Passage::Sent) {
         m_times[id] = packet.at;
         if (packet.fate == Fate::Repeat || !beginsTransfer(packet.bytes))
@@ -100,15 +100,15 @@ std::optional<Replay::Answer> Replay::begin(Division division, QByteArrayView da
     if (recorded.answers.empty())
         return std::nullopt;
     if (division == Division::File)
-        m_transfers[quint8(datagram[idOffset])] = {recorded, 1, datagram.toByteArray()};
-    return Answer {withId(recorded.answers.front().packet, datagram[idOffset]), recorded.answers.front().delay};
+        m_transfers[quint8(datagram[recordedIdOffset])] = {recorded, 1, datagram.toByteArray()};
+    return Answer {withId(recorded.answers.front().packet, datagram[recordedIdOffset]), recorded.answers.front().delay};
 }
 
 /// A block of an upload, or the acknowledgement of one of a download: the next recorded block follows. A repeat of the
 /// client's last packet gets the same block again.
 std::optional<Replay::Answer> Replay::goOn(QByteArrayView datagram)
 {
-    const auto found = m_transfers.find(quint8(datagram[idOffset]));
+    const auto found = m_transfers.find(quint8(datagram[recordedIdOffset]));
     if (found == m_transfers.end())
         return std::nullopt;
     Transfer &transfer = found->second;
@@ -119,7 +119,7 @@ std::optional<Replay::Answer> Replay::goOn(QByteArrayView datagram)
     transfer.next = index + 1;
     transfer.lastAsked = datagram.toByteArray();
     const Answer &answer = transfer.recorded.answers[index];
-    return Answer {withId(answer.packet, datagram[idOffset]), answer.delay};
+    return Answer {withId(answer.packet, datagram[recordedIdOffset]), answer.delay};
 }
 
 } // namespace traffic

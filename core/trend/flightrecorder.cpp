@@ -73,6 +73,8 @@ Incident FlightRecorder::cut(const Range &range) const
             kept.series.append(range.from, *held);
         for (const Sample &sample : track.series.within(range))
             kept.series.append(sample.at, sample.value);
+        if (const auto held = track.series.heldAt(range.to))
+            kept.series.append(range.to, *held); // a value that stays is a line to the end
         if (!std::ranges::all_of(kept.series.samples(), &Sample::isGap))
             incident.tracks.push_back(std::move(kept));
     }

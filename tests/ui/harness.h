@@ -84,7 +84,7 @@ public:
     [[nodiscard]] QString word(const char *name) const { return value(name) ? value(name)->text() : QString(); }
     [[nodiscard]] widgets::MessageBar *bar() const
     {
-        return window.view().findChild<widgets::MessageBar *>(QStringLiteral("messageBar"));
+        return window.findChild<widgets::MessageBar *>(QStringLiteral("linkNotice"));
     }
     [[nodiscard]] QString barText() const { return bar()->isVisible() ? bar()->message().text : QString(); }
 

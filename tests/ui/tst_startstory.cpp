@@ -91,7 +91,7 @@ void TestStartStory::theWholeStory()
     harness.choose(QStringLiteral("PALLET"));
     QTRY_VERIFY(harness.find("select-job")->isEnabled());
     harness.click("select-job");
-    QTRY_COMPARE(harness.word("selectedJob"), QStringLiteral("PALLET"));
+    QTRY_COMPARE(harness.word("jobsJob"), QStringLiteral("PALLET"));
     QVERIFY(harness.arm());
     picture(&harness.window, "2-armed");
     const bool isSheetOpen = harness.openSheet();

@@ -103,7 +103,8 @@ void IoWriteDialog::showStep()
 {
     using enum IoWrite::Step;
     const auto step = m_write.step();
-    m_before->setText(bits(m_write.before()));
+    const bool isReadBack = step == Done || step == Mismatch; // then that is what it is now
+    m_before->setText(bits(isReadBack ? m_write.readBack() : m_write.before()));
     m_after->setText(bits(m_write.after()));
     m_sentence->setText(sentence());
     const bool isBad = step == Mismatch || step == Unknown;

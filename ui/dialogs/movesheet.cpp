@@ -5,6 +5,7 @@
 #include "motion/geometry.h"
 #include "ui/conditionwords.h"
 #include "ui/widgets/fitwindow.h"
+#include "ui/widgets/line.h"
 #include "ui/widgets/rows.h"
 #include "ui/widgets/startbutton.h"
 #include "ui/widgets/text.h"
@@ -64,8 +65,8 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
       m_present {present},
       m_move {new Move(orders, plan, present, this)},
       m_rows {new widgets::Rows(Qt::AlignLeft)},
-      m_reason {widgets::sentence({}, ui::Role::Amber)},
-      m_outcome {widgets::sentence({}, ui::Role::Text1)},
+      m_reason {new widgets::Line(ui::Role::Amber, ui::Type::Body)},
+      m_outcome {new widgets::Line(ui::Role::Text1, ui::Type::Body)},
       m_name {new QLineEdit},
       m_go {new widgets::StartButton(tr("Move"))},
       m_stop {new QPushButton(tr("Stop: HOLD"))},
@@ -79,7 +80,7 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
     makeWidgets();
     showPlan(present, limits);
     const int points = orders.controller().profile().dialect().positionVariables;
-    m_points = orders.controller().poller().want({robot::TopicRange(Kind::PositionVariable, 0, points - 1)});
+    m_points = orders.controller().poller().wantOnce({robot::TopicRange(Kind::PositionVariable, 0, points - 1)});
     m_guard.setSingleShot(true);
     m_guard.setInterval(1s);
     connect(&m_guard, &QTimer::timeout, this, [this] {
@@ -120,6 +121,7 @@ void MoveSheet::makeWidgets()
     m_stop->setObjectName(QStringLiteral("sheetStop"));
     m_close->setObjectName(QStringLiteral("sheetClose"));
     m_stop->setAutoDefault(false);
+    widgets::reserveWidth(m_close, {tr("Cancel"), tr("Close")});
     m_close->setDefault(true);
     const QString name = m_orders.controller().profile().name;
     m_name->setPlaceholderText(m_move->plan().isLong()
@@ -246,10 +248,9 @@ void MoveSheet::update()
         return;
     const auto obstacle = m_orders.obstacle(Act::Move);
     const bool isAway = !obstacle && hasMovedAway();
-    m_reason->setText(obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model)
-            : isAway           ? tr("The robot is no longer where this move begins: close, and rehearse again.")
-                               : QString());
-    m_reason->setVisible(!m_reason->text().isEmpty());
+    m_reason->setWords(obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model)
+            : isAway            ? tr("The robot is no longer where this move begins: close, and rehearse again.")
+                                : QString());
     const bool isPossible = !obstacle && !isAway;
     if (std::exchange(m_isPossible, isPossible) != isPossible) {
         m_isGuarded = true;
@@ -286,11 +287,11 @@ void MoveSheet::onPlace(const values::Result<Position> &position)
     if (!position || !isWherePlanned(*position)) {
         m_isStarted = false;
         m_isPossible = false; // another second
-        m_outcome->setText(position ? QString() : tr("Not sent: the place could not be read."));
+        m_outcome->setWords(position ? QString() : tr("Not sent: the place could not be read."));
         return update();
     }
-    m_name->hide();
-    m_reason->hide();
+    m_name->setEnabled(false);
+    m_reason->setWords({});
     m_close->setText(tr("Close"));
     m_move->start();
     showOutcome();
@@ -300,10 +301,10 @@ void MoveSheet::showOutcome()
 {
     if (!m_isStarted)
         return;
-    m_outcome->setText(outcomeText());
+    m_outcome->setWords(outcomeText());
     const auto outcome = m_move->outcome();
     const bool isFine = outcome == Move::Outcome::UnderWay || outcome == Move::Outcome::Arrived;
-    widgets::setTextRole(m_outcome, isFine ? ui::Role::Text1 : ui::Role::Amber);
+    m_outcome->setRole(isFine ? ui::Role::Text1 : ui::Role::Amber);
 }
 
 QString MoveSheet::outcomeText() const

@@ -5,13 +5,13 @@
 #include "robot/move.h"
 #include <QDialog>
 
-class QLabel;
 class QLineEdit;
 class QPushButton;
 
 namespace widgets {
+class Line;
 class Rows;
-}
+} // namespace widgets
 
 namespace dialogs {
 
@@ -52,8 +52,8 @@ private:
     robot::Move *m_move;
     robot::Poller::Interest m_points; ///< The stored points, while the sheet is open.
     widgets::Rows *m_rows;
-    QLabel *m_reason;
-    QLabel *m_outcome;
+    widgets::Line *m_reason;
+    widgets::Line *m_outcome;
     QLineEdit *m_name;
     QPushButton *m_go;
     QPushButton *m_stop;

@@ -167,6 +167,8 @@ VariableModel::Cell VariableModel::valueCell(const Reference &variable) const
     const auto reading = readingOf(m_desk.state, variable);
     if (reading.freshness == Freshness::Live && reading.value)
         return {text(reading.value), isEmptyText(*reading.value) ? int(ui::Role::Text2) : -1};
+    if (isRefusedHere(reading, variable) && protocol::isNotTaught(*reading.refusal))
+        return {widgets::notTaught(), int(ui::Role::Text2)};
     if (isRefusedHere(reading, variable)) // the reason once; the rows below have it in their tool tips
         return {isRefusedAbove(reading, variable) ? tr("refused") : protocol::explain(*reading.refusal),
             int(ui::Role::Text2)};

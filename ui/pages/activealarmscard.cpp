@@ -38,10 +38,9 @@ bool isUnacknowledged(const Sighting &sighting)
     return sighting.state == AlarmState::Unacknowledged || sighting.state == AlarmState::ClearedUnacknowledged;
 }
 
-QLabel *small(const char *name)
+widgets::Line *small(const char *name)
 {
-    QLabel *label = widgets::sentence({}, ui::Role::Text2);
-    label->setFont(ui::font(ui::Type::Label));
+    auto *label = new widgets::Line(ui::Role::Text2);
     label->setObjectName(QLatin1String(name));
     return label;
 }
@@ -57,14 +56,14 @@ ActiveAlarmsCard::ActiveAlarmsCard(robot::AlarmLog &log, robot::Orders &orders, 
       m_codec {orders.controller().profile().encoding},
       m_model {new models::ActiveAlarmModel(log, orders.controller().state(), m_codec, this)},
       m_table {new widgets::Table},
-      m_sentence {widgets::sentence({}, ui::Role::Text2)},
+      m_sentence {new widgets::Line(ui::Role::Text2, ui::Type::Body)},
       m_acknowledge {new QPushButton(tr("Acknowledge"))},
       m_acknowledgeAll {new QPushButton(tr("Acknowledge all"))},
       m_reset {new widgets::OrderButton(orders, Act::ResetAlarm)},
       m_cancel {new widgets::OrderButton(orders, Act::CancelError)},
       m_resetTarget {small("resetTarget")},
       m_cancelTarget {small("cancelTarget")},
-      m_outcome {widgets::sentence({}, ui::Role::Text2)}
+      m_outcome {new widgets::Line(ui::Role::Text2)}
 {
     m_table->setObjectName(QStringLiteral("activeAlarms"));
     m_table->setAccessibleName(tr("Active alarms"));
@@ -77,7 +76,6 @@ ActiveAlarmsCard::ActiveAlarmsCard(robot::AlarmLog &log, robot::Orders &orders, 
             QStringLiteral("2026/01/12 08:30"), QStringLiteral("2026-01-12 08:30:05"), QStringLiteral("99999")});
     m_sentence->setObjectName(QStringLiteral("alarmSentence"));
     m_outcome->setObjectName(QStringLiteral("clearOutcome"));
-    m_outcome->hide();
     body()->addWidget(m_sentence);
     body()->addWidget(m_table, 1);
     body()->addWidget(acknowledging());
@@ -100,7 +98,7 @@ QWidget *ActiveAlarmsCard::acknowledging()
     m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
     m_acknowledgeAll->setObjectName(QStringLiteral("acknowledgeAll"));
     auto *hint = small("acknowledgeHint");
-    hint->setText(tr("Acknowledging is noted on this computer only. The robot does not hear of it."));
+    hint->setWords(tr("Acknowledging is noted on this computer only. The robot does not hear of it."));
     auto *result = new QWidget;
     auto *row = new QHBoxLayout(result);
     row->setContentsMargins(0, 0, 0, 0);
@@ -146,7 +144,7 @@ void ActiveAlarmsCard::resizeEvent(QResizeEvent *event)
 
 void ActiveAlarmsCard::refresh()
 {
-    m_sentence->setText(stateSentence());
+    m_sentence->setWords(stateSentence());
     const bool isAnyLeft =
         std::ranges::any_of(m_log.alarms(), [](const auto &entry) { return isUnacknowledged(entry.sighting); });
     m_acknowledge->setEnabled(isAnyLeft && m_table->selectionModel()->hasSelection());
@@ -175,19 +173,19 @@ void ActiveAlarmsCard::showTargets()
     const auto &status = m_orders.situation().status;
     const QString active = activeNames();
     if (!status)
-        m_resetTarget->setText(tr("Whether there is an alarm is not known now."));
+        m_resetTarget->setWords(tr("Whether there is an alarm is not known now."));
     else if (!status->hasAlarm())
-        m_resetTarget->setText(tr("There is no alarm to clear."));
+        m_resetTarget->setWords(tr("There is no alarm to clear."));
     else if (active.isEmpty())
-        m_resetTarget->setText(tr("Clears the alarms whose causes are gone."));
+        m_resetTarget->setWords(tr("Clears the alarms whose causes are gone."));
     else
-        m_resetTarget->setText(tr("Clears, if the cause is gone: %1.").arg(active));
+        m_resetTarget->setWords(tr("Clears, if the cause is gone: %1.").arg(active));
     if (!status)
-        m_cancelTarget->setText(tr("Whether there is an error is not known now."));
+        m_cancelTarget->setWords(tr("Whether there is an error is not known now."));
     else if (status->hasError())
-        m_cancelTarget->setText(tr("Clears the error message at the pendant, and no alarm."));
+        m_cancelTarget->setWords(tr("Clears the error message at the pendant, and no alarm."));
     else
-        m_cancelTarget->setText(tr("There is no error to clear."));
+        m_cancelTarget->setWords(tr("There is no error to clear."));
 }
 
 /// Codes and names of the alarms that the controller tells now, in a line.
@@ -284,9 +282,8 @@ void ActiveAlarmsCard::cancelError()
 
 void ActiveAlarmsCard::say(const QString &sentence, ui::Role role)
 {
-    m_outcome->setText(sentence);
-    m_outcome->setVisible(!sentence.isEmpty());
-    widgets::setTextRole(m_outcome, role);
+    m_outcome->setRole(role);
+    m_outcome->setWords(sentence);
 }
 
 } // namespace pages

@@ -52,14 +52,14 @@ private:
     protocol::TextCodec m_codec;
     models::ActiveAlarmModel *m_model;
     widgets::Table *m_table;
-    QLabel *m_sentence; ///< What the table says as a whole; also read to assistive technology.
+    widgets::Line *m_sentence; ///< What the table says as a whole; also read to assistive technology.
     QPushButton *m_acknowledge;
     QPushButton *m_acknowledgeAll;
     widgets::OrderButton *m_reset;
     widgets::OrderButton *m_cancel;
-    QLabel *m_resetTarget;
-    QLabel *m_cancelTarget;
-    QLabel *m_outcome;
+    widgets::Line *m_resetTarget;
+    widgets::Line *m_cancelTarget;
+    widgets::Line *m_outcome;
     QTimer m_resetPatience; ///< From the acceptance of a reset until alarms count as still active.
 };
 

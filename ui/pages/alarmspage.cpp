@@ -16,7 +16,7 @@ AlarmsPage::AlarmsPage(const Context &context, QWidget *parent) : Page(context, 
     connect(active, &ActiveAlarmsCard::codeChosen, history, &AlarmHistoryCard::chooseCode);
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
-    column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    column->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     column->setSpacing(ui::space::gap);
     column->addWidget(active, 2);
     column->addWidget(history, 3);

@@ -48,6 +48,12 @@ Contents contentsOf(const QString &path)
 
 Contents none() { return values::failure(values::ErrorKind::LocalFile); }
 
+/// As the list of backups calls it.
+QString nameOf(const files::ArchiveEntry &entry)
+{
+    return QLocale().toString(entry.taken.toLocalTime(), QLocale::ShortFormat);
+}
+
 } // namespace
 
 BackupPage::BackupPage(const Context &context, QWidget *parent)
@@ -69,13 +75,15 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
 {
     auto *content = new QWidget;
     auto *row = new QHBoxLayout(content);
-    row->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    row->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     row->setSpacing(ui::space::gap);
     row->addWidget(timelineCard(), 2);
     row->addWidget(m_comparison, 3);
     fillComparison();
     setContent(content);
     connect(m_timeline, &QTreeWidget::itemSelectionChanged, this, &BackupPage::updateButtons);
+    connect(m_timeline, &QTreeWidget::itemSelectionChanged, m_comparison, &ComparisonCard::forget);
+    connect(m_with, &QComboBox::currentIndexChanged, m_comparison, &ComparisonCard::forget);
     connect(m_backUp, &QPushButton::clicked, this, &BackupPage::backUp);
     connect(m_verify, &QPushButton::clicked, this, &BackupPage::verifyChosen);
     connect(m_pin, &QPushButton::clicked, this, &BackupPage::togglePin);
@@ -311,33 +319,38 @@ void BackupPage::compareChosen()
     const auto entry = m_timeline->chosen();
     if (!entry)
         return;
+    const QString name = nameOf(*entry);
     const int row = m_timeline->chosenRow();
     const bool isWithController = m_with->currentIndex() == Controller;
     const int other = m_with->currentIndex() == TheOneBefore ? row + 1 : 0;
     const auto &entries = m_timeline->entries();
     const bool hasOther = !isWithController && other < entries.size() && other != row;
     const QString second = hasOther ? entries[other].path : QString();
+    const QString secondName = hasOther ? nameOf(entries[other]) : QString();
     const auto read = [first = entry->path, second] {
         return std::pair {contentsOf(first), second.isEmpty() ? none() : contentsOf(second)};
     };
-    m_disk.run(this, read, [this, isWithController, isOlder = other > row](const std::pair<Contents, Contents> &both) {
+    const auto show = [this, isWithController, isOlder = other > row, name, secondName](
+                          const std::pair<Contents, Contents> &both) {
         const auto &[chosen, before] = both;
         if (!chosen)
             return say(protocol::explain(chosen.error()));
         if (!isWithController)
-            return compare(*chosen, before, isOlder);
-        readController([this, set = *chosen](const files::FileSet &now) { m_comparison->showSets(set, now); });
-    });
+            return isOlder ? compare(before, chosen, secondName, name) : compare(chosen, before, name, secondName);
+        readController([this, name, set = *chosen](const files::FileSet &now) {
+            m_comparison->showSets(set, now, name, tr("the controller now"));
+        });
+    };
+    m_disk.run(this, read, show);
 }
 
-void BackupPage::compare(const files::FileSet &chosen, const Contents &other, bool isOlder)
+void BackupPage::compare(
+    const Contents &older, const Contents &newer, const QString &olderName, const QString &newerName)
 {
-    if (!other)
-        m_comparison->showSentence(tr("There is no other backup to compare with."));
-    else if (isOlder)
-        m_comparison->showSets(*other, chosen);
+    if (older && newer)
+        m_comparison->showSets(*older, *newer, olderName, newerName);
     else
-        m_comparison->showSets(chosen, *other);
+        m_comparison->showSentence(tr("There is no other backup to compare with."));
 }
 
 void BackupPage::readController(const std::function<void(const files::FileSet &)> &handler)

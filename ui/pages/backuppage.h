@@ -63,7 +63,8 @@ private:
     void togglePin();
     void exportChosen();
     void compareChosen();
-    void compare(const files::FileSet &chosen, const values::Result<files::FileSet> &other, bool isOlder);
+    void compare(const values::Result<files::FileSet> &older, const values::Result<files::FileSet> &newer,
+        const QString &olderName, const QString &newerName);
     void offerRestore(const files::Bag &bag, const files::FileSet &then);
     void readController(const std::function<void(const files::FileSet &)> &handler);
     void planRestore();

@@ -45,7 +45,7 @@ FilesPage::FilesPage(const Context &context, QWidget *parent)
 {
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
-    column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    column->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     column->setSpacing(ui::space::gap);
     column->addWidget(panes(), 3);
     column->addWidget(new QueueCard(m_queue, protocol::TextCodec {context.station.profile().encoding}), 2);
@@ -66,6 +66,7 @@ FilesPage::FilesPage(const Context &context, QWidget *parent)
         if (isVisible() && !m_isListed)
             refresh();
     });
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &FilesPage::showFolder);
     openFolder(documents());
     updateButtons();
 }
@@ -131,6 +132,9 @@ void FilesPage::showLink(const ui::LinkView &link)
 
 void FilesPage::openFolder(const QString &folder)
 {
+    if (!m_watcher.directories().isEmpty())
+        m_watcher.removePaths(m_watcher.directories());
+    m_watcher.addPath(folder);
     m_folder = folder;
     m_path->setText(QDir::toNativeSeparators(folder));
     showFolder();

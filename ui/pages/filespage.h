@@ -6,6 +6,7 @@
 #include "files/worker.h"
 #include "ui/pages/files/offers.h"
 #include "ui/pages/files/remotechanges.h"
+#include <QFileSystemWatcher>
 
 class QComboBox;
 class QLabel;
@@ -60,6 +61,7 @@ private:
     RemoteChanges m_changes;
     std::unique_ptr<files::Collection> m_listing;
     QString m_folder;
+    QFileSystemWatcher m_watcher; ///< Others put files into the folder too.
     QList<values::FileName> m_names; ///< What the controller listed last.
     bool m_isListed = false;
     bool m_isUp = false;

@@ -15,8 +15,13 @@ namespace {
 using protocol::Encoding;
 using values::ExecutingJob;
 
-QString line(const ExecutingJob &job, Encoding) { return QLocale().toString(job.line); }
-QString step(const ExecutingJob &job, Encoding) { return QLocale().toString(job.step); }
+/// Without a job there is no place in it.
+QString placeIn(const ExecutingJob &job, quint32 number)
+{
+    return job.name.isEmpty() ? widgets::dash() : QLocale().toString(number);
+}
+QString line(const ExecutingJob &job, Encoding) { return placeIn(job, job.line); }
+QString step(const ExecutingJob &job, Encoding) { return placeIn(job, job.step); }
 
 QString speedOverride(const ExecutingJob &job, Encoding) { return ui::overrideText(job); }
 
@@ -37,7 +42,7 @@ constexpr JobRow jobRows[] {
 } // namespace
 
 JobCard::JobCard(const robot::RobotState &state, protocol::Encoding encoding, QWidget *parent)
-    : Card(tr("Executing"), parent), m_state {state}, m_encoding {encoding}
+    : Card(tr("Job"), parent), m_state {state}, m_encoding {encoding}
 {
     setNote(tr("master task"));
     auto *row = new QHBoxLayout;

@@ -33,7 +33,7 @@ JobsPage::JobsPage(const Context &context, QWidget *parent)
     auto *content = new QWidget;
     content->setObjectName(QStringLiteral("jobsContent"));
     auto *row = new QHBoxLayout(content);
-    row->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    row->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     row->setSpacing(ui::space::gap);
     row->addWidget(m_list, 2);
     row->addLayout(middle, 5);

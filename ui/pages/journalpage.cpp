@@ -32,7 +32,7 @@ constexpr Period periods[] {
     {QT_TRANSLATE_NOOP("pages::JournalPage", "Last 7 days"), 7},
     {QT_TRANSLATE_NOOP("pages::JournalPage", "Last 30 days"), 30},
 };
-constexpr Outcome outcomes[] {Outcome::Done, Outcome::Refused, Outcome::Unknown, Outcome::Withheld};
+constexpr Outcome outcomes[] {Outcome::Done, Outcome::Refused, Outcome::Unknown, Outcome::Withheld, Outcome::Cancelled};
 
 /// The first moment of today and the days before it, in UTC.
 QDateTime beginOf(int days) { return QDate::currentDate().addDays(1 - days).startOfDay().toUTC(); }
@@ -97,7 +97,7 @@ JournalPage::JournalPage(const Context &context, QWidget *parent)
     m_card->body()->addLayout(tools());
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
-    column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    column->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     column->addWidget(m_card);
     setContent(content);
     connect(m_model, &models::RecordModelBase::loadingChanged, this, &JournalPage::showState);

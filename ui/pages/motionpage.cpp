@@ -67,7 +67,7 @@ QWidget *MotionPage::statement()
 {
     auto *bar = new widgets::MessageBar(this); // shown from the first moment, and no window of its own
     bar->setObjectName(QStringLiteral("motionStatement"));
-    bar->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, 0);
+    bar->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::gap);
     bar->show({widgets::Severity::Warning,
         tr("Remote motion in automatic operation. The pendant’s enabling switch does not protect anyone here. Nobody "
            "may be inside the fence."),

@@ -47,9 +47,8 @@ OptionsCard::OptionsCard(robot::Orders &orders, QWidget *parent)
 OptionsCard::Row OptionsCard::addRow(QGridLayout *grid, const QString &name, const QString &title)
 {
     const Row row {
-        widgets::text({}, ui::Type::Body, ui::Role::Text1), widgets::text({}, ui::Type::Body, ui::Role::Text2)};
+        widgets::text({}, ui::Type::Body, ui::Role::Text1), new widgets::Line(ui::Role::Text2, ui::Type::Body)};
     row.reason->setObjectName(name + QStringLiteral("Condition"));
-    row.reason->setWordWrap(true);
     const int line = grid->rowCount();
     grid->addWidget(row.mark, line, 0, Qt::AlignTop);
     grid->addWidget(widgets::text(title, ui::Type::Body, ui::Role::Text1), line, 1, Qt::AlignTop);
@@ -61,7 +60,7 @@ void OptionsCard::showRow(const Row &row, bool isPossible, const QString &reason
 {
     row.mark->setText(isPossible ? QStringLiteral("✓") : QStringLiteral("✗"));
     row.mark->setAccessibleName(isPossible ? tr("possible") : tr("not possible"));
-    row.reason->setText(reason);
+    row.reason->setWords(reason);
 }
 
 void OptionsCard::showLink(const ui::LinkView &link)
@@ -76,8 +75,8 @@ void OptionsCard::showActs()
     for (qsizetype i = 0; i < m_acts.size(); ++i) {
         const auto obstacle = m_orders.obstacle(acts[i]);
         showRow(m_acts[i], !obstacle, obstacle ? ui::complaint(*obstacle) : QString());
-        m_acts[i].reason->setToolTip(
-            obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model) : QString());
+        if (obstacle)
+            m_acts[i].reason->setToolTip(ui::reason(*obstacle, m_orders.controller().profile().model));
     }
 }
 

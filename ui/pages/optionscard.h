@@ -24,7 +24,7 @@ public:
 private:
     struct Row {
         QLabel *mark;
-        QLabel *reason;
+        widgets::Line *reason;
     };
 
     Row addRow(QGridLayout *grid, const QString &name, const QString &title);

@@ -8,6 +8,10 @@
 
 class QStackedLayout;
 
+namespace widgets {
+class PageLine;
+}
+
 namespace ui {
 class Actions;
 }
@@ -32,6 +36,8 @@ public:
 
     /// What must be read while the page is visible; see topicsChanged().
     [[nodiscard]] virtual QList<robot::TopicRange> topics() const = 0;
+    /// Stands at the top of the page; see widgets::PageLine.
+    void setName(const QString &name);
     /// Called once after creation and whenever the link has something new to say. Call it from an override.
     virtual void showLink(const ui::LinkView &link);
     /// What would be lost if the page went away now, as a whole sentence; empty if nothing would.
@@ -53,7 +59,11 @@ protected:
     /// Without a connection there is nothing to show. A page that shows what this computer knows says no.
     [[nodiscard]] virtual bool needsLink() const { return true; }
 
+    /// For tools at the right end of the page line, and for what its values are of where "live" does not say it.
+    [[nodiscard]] widgets::PageLine &line() const { return *m_line; }
+
 private:
+    widgets::PageLine *m_line;
     QStackedLayout *m_layers;
 };
 

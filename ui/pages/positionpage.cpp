@@ -8,6 +8,7 @@
 #include "ui/pages/toolpathcard.h"
 #include "ui/widgets/board.h"
 #include "ui/widgets/flow.h"
+#include "ui/widgets/pageline.h"
 #include <QApplication>
 #include <QClipboard>
 #include <QHBoxLayout>
@@ -43,7 +44,6 @@ PositionPage::PositionPage(const Context &context, QWidget *parent)
       m_state {context.station.state()},
       m_profile {context.station.profile()},
       m_tabs {new QTabBar},
-      m_note {widgets::text({}, ui::Type::Label, ui::Role::Text2)},
       m_cartesian {new CartesianCard(context.station.state())},
       m_axes {new AxesCard(context.station.state(), context.station.profile())},
       m_path {new ToolPathCard(context.station.state())}
@@ -70,14 +70,12 @@ QWidget *PositionPage::header()
     m_tabs->setAccessibleName(tr("Control groups"));
     m_tabs->setDrawBase(false);
     m_tabs->setExpanding(false);
-    m_note->setObjectName(QStringLiteral("groupNote"));
     auto *resetButton = positionButton(QStringLiteral("resetExtremes"), tr("Reset min and max"));
     auto *copyButton = positionButton(QStringLiteral("copyPosition"), tr("Copy as text"));
     auto *result = new QWidget;
     auto *row = new widgets::Flow(result);
-    row->setContentsMargins(ui::space::page, 10, ui::space::page, 0);
+    row->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::gap);
     row->addWidget(m_tabs);
-    row->addWidget(m_note);
     row->addStretch();
     row->addWidget(resetButton);
     row->addWidget(copyButton);
@@ -107,6 +105,8 @@ QList<TopicRange> PositionPage::topics() const
 void PositionPage::showLink(const ui::LinkView &link)
 {
     Page::showLink(link);
+    m_isLive = link.state == robot::LinkState::Monitoring;
+    showGroups();
     if (link.state == robot::LinkState::Disconnected)
         reset();
 }
@@ -121,8 +121,10 @@ void PositionPage::onChanged(const TopicRange &range)
 void PositionPage::showGroups()
 {
     const auto [groups, refused, all] = controlGroups(m_state, m_profile.dialect());
-    m_note->setText(
-        refused == 0 ? QString() : tr("Not shown because refused: %1 of %2 control groups.").arg(refused).arg(all));
+    if (m_isLive)
+        line().setSubject({{tr("%n control group(s)", nullptr, int(groups.size()))}, robot::Freshness::Live,
+            refused == 0 ? QString()
+                         : tr("Not shown because refused: %1 of %2 control groups.").arg(refused).arg(all)});
     if (groups != m_groups) {
         m_groups = groups;
         const QSignalBlocker blocker(m_tabs);

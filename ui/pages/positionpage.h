@@ -37,7 +37,7 @@ private:
     const robot::RobotState &m_state;
     const settings::Profile &m_profile;
     QTabBar *m_tabs;
-    QLabel *m_note;
+    bool m_isLive = false;
     CartesianCard *m_cartesian;
     AxesCard *m_axes;
     ToolPathCard *m_path;

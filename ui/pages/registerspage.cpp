@@ -26,7 +26,7 @@ QWidget *sheetCard(QWidget *content)
     card->body()->addWidget(content);
     auto *result = new QWidget;
     auto *column = new QVBoxLayout(result);
-    column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    column->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     column->addWidget(card);
     return result;
 }

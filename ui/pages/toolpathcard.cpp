@@ -9,14 +9,11 @@
 
 namespace pages {
 
-using namespace std::chrono_literals;
 using robot::Freshness;
 using robot::Kind;
 using widgets::ToolPathView;
 
 namespace {
-
-constexpr auto pathPace = 200ms;
 
 quint16 cartesian(values::ControlGroup group)
 {
@@ -43,8 +40,6 @@ ToolPathCard::ToolPathCard(const robot::RobotState &state, QWidget *parent)
     connect(clearButton, &QPushButton::clicked, this, &ToolPathCard::clear);
     body()->addLayout(row, 1);
     body()->addWidget(clearButton, 0, Qt::AlignLeft);
-    m_pace.setSingleShot(true);
-    connect(&m_pace, &QTimer::timeout, this, &ToolPathCard::showPath);
     connect(&state, &robot::RobotState::changed, this, &ToolPathCard::onChanged);
 }
 
@@ -75,8 +70,8 @@ void ToolPathCard::onChanged(const robot::TopicRange &range)
         else
             path.breakOff();
     }
-    if (range.contains({Kind::Position, cartesian(m_group)}) && !m_pace.isActive())
-        m_pace.start(pathPace);
+    if (range.contains({Kind::Position, cartesian(m_group)}))
+        showPath(); // with the value: a live one is never hatched
 }
 
 void ToolPathCard::showPath()

@@ -5,7 +5,6 @@
 #include "robot/robotstate.h"
 #include "trend/toolpath.h"
 #include "ui/widgets/card.h"
-#include <QTimer>
 #include <map>
 
 namespace widgets {
@@ -34,7 +33,6 @@ private:
     values::ControlGroup m_group;
     std::map<quint16, trend::ToolPath> m_paths; ///< By cartesian instance: whichever is shown, all are kept.
     QList<widgets::ToolPathView *> m_views;
-    QTimer m_pace; ///< Draws a few times a second, however often positions come.
 };
 
 } // namespace pages

@@ -79,7 +79,7 @@ TrendPage::TrendPage(const Context &context, QWidget *parent)
     setAcceptDrops(true);
     auto *content = new QWidget;
     auto *grid = new QGridLayout(content);
-    grid->setContentsMargins(ui::space::page, 10, ui::space::page, ui::space::page);
+    grid->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     grid->setSpacing(ui::space::gap);
     grid->addWidget(toolBar(), 0, 0, 1, 2);
     grid->addWidget(plotCard(), 1, 0, 1, 2);

@@ -8,6 +8,7 @@
 #include "ui/widgets/celleditor.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/gotoedit.h"
+#include "ui/widgets/line.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/text.h"
@@ -41,8 +42,8 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
       m_head {new widgets::Flow},
       m_foot {new widgets::Flow},
       m_goTo {new widgets::GoToEdit(this)},
-      m_sentence {widgets::sentence({}, ui::Role::Amber)},
-      m_note {widgets::sentence({}, ui::Role::Text2)},
+      m_sentence {new widgets::Line(ui::Role::Amber, ui::Type::Body)},
+      m_note {new widgets::Line(ui::Role::Text2, ui::Type::Body)},
       m_apply {new widgets::OrderButton(context.station.orders, act, widgets::OrderButton::Reason::Below)},
       m_discard {sheetButton("discardButton", tr("Discard"))},
       m_undo {sheetButton("undoButton", tr("Undo last"))},
@@ -75,8 +76,6 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
     column->addWidget(m_table, 1);
     column->addLayout(m_foot);
     column->addWidget(m_note);
-    m_sentence->hide();
-    m_note->hide();
     connect(m_table, &widgets::Table::rowsInViewChanged, this, &VariableSheet::topicsChanged);
     connect(delegate, &widgets::ValueDelegate::dropped, this, [this](const QModelIndex &index, const QString &typed) {
         const QString name = toString(m_model->at(index.row()));
@@ -175,16 +174,11 @@ void VariableSheet::goTo()
 
 void VariableSheet::say(const QString &sentence, bool isTrouble)
 {
-    m_sentence->setText(sentence);
-    m_sentence->setVisible(!sentence.isEmpty());
-    widgets::setTextRole(m_sentence, isTrouble ? ui::Role::Amber : ui::Role::Text2);
+    m_sentence->setRole(isTrouble ? ui::Role::Amber : ui::Role::Text2);
+    m_sentence->setWords(sentence);
 }
 
-void VariableSheet::setNote(const QString &note)
-{
-    m_note->setText(note);
-    m_note->setVisible(!note.isEmpty());
-}
+void VariableSheet::setNote(const QString &note) { m_note->setWords(note); }
 
 bool VariableSheet::eventFilter(QObject *watched, QEvent *event)
 {

@@ -12,6 +12,7 @@ class QPushButton;
 namespace widgets {
 class Flow;
 class GoToEdit;
+class Line;
 class OrderButton;
 } // namespace widgets
 
@@ -80,8 +81,8 @@ private:
     widgets::Flow *m_head;
     widgets::Flow *m_foot;
     widgets::GoToEdit *m_goTo;
-    QLabel *m_sentence;
-    QLabel *m_note;
+    widgets::Line *m_sentence;
+    widgets::Line *m_note;
     widgets::OrderButton *m_apply;
     QPushButton *m_discard;
     QPushButton *m_undo;

@@ -5,7 +5,7 @@
 #include "ui/conditionwords.h"
 #include "ui/dialogs/whynotdialog.h"
 #include "ui/widgets/flow.h"
-#include "ui/widgets/text.h"
+#include "ui/widgets/line.h"
 #include "ui/widgets/tickbox.h"
 #include <QCheckBox>
 #include <QPushButton>
@@ -23,7 +23,7 @@ ArmControl::ArmControl(robot::Orders &orders, QWidget *parent)
       m_arm {new QPushButton(tr("Hold for 1 s to arm"))},
       m_why {new QPushButton(tr("Why not?"))},
       m_disarm {new QPushButton(tr("Disarm"))},
-      m_reason {sentence({}, ui::Role::Text2)}
+      m_reason {new Line(ui::Role::Text2)}
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -36,7 +36,7 @@ ArmControl::ArmControl(robot::Orders &orders, QWidget *parent)
     m_why->setProperty("link", true);
     m_disarm->setObjectName(QStringLiteral("disarm"));
     m_reason->setObjectName(QStringLiteral("reason-arm"));
-    m_reason->setFont(ui::font(ui::Type::Label));
+    keepRoom(m_why);
     auto *row = new Flow;
     for (QPushButton *button : {m_arm, m_disarm, m_why}) {
         button->setAutoDefault(false);
@@ -86,14 +86,12 @@ void ArmControl::showState()
             box->setChecked(false);
     }
     for (QCheckBox *box : m_boxes)
-        box->setVisible(!isArmed);
-    m_arm->setVisible(!isArmed);
+        box->setEnabled(!isArmed);
     const bool isPossible = !m_orders.obstacle(Act::Arm) && isTicked();
-    m_arm->setEnabled(isPossible || m_arm->isDown()); // while it is held, the end of the second decides
-    m_disarm->setVisible(isArmed);
+    m_arm->setEnabled(!isArmed && (isPossible || m_arm->isDown())); // while it is held, the end of the second decides
+    m_disarm->setEnabled(isArmed);
     m_why->setVisible(!isArmed);
-    m_reason->setText(reason());
-    m_reason->setVisible(!m_reason->text().isEmpty());
+    m_reason->setWords(reason());
 }
 
 QString ArmControl::reason() const

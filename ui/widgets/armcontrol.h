@@ -7,10 +7,11 @@
 #include <QWidget>
 
 class QCheckBox;
-class QLabel;
 class QPushButton;
 
 namespace widgets {
+
+class Line;
 
 /// Arms a controller: three boxes to tick, and a button to be held for one second. While it is armed, a button to
 /// disarm; afterwards the reason why it dropped.
@@ -34,7 +35,7 @@ private:
     QPushButton *m_arm;
     QPushButton *m_why;
     QPushButton *m_disarm;
-    QLabel *m_reason;
+    Line *m_reason;
     QTimer m_hold;
     bool m_wasArmed = false;
 };

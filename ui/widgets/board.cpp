@@ -14,7 +14,7 @@ Board::Board(std::span<const Arrangement> arrangements, QWidget *parent)
 {
     auto *content = new QWidget;
     m_grid = new QGridLayout(content);
-    m_grid->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
+    m_grid->setContentsMargins(ui::space::page, 0, ui::space::page, ui::space::page);
     m_grid->setSpacing(ui::space::gap);
     setWidget(content);
     setWidgetResizable(true);

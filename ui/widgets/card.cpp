@@ -3,6 +3,7 @@
 #include "ui/widgets/card.h"
 
 #include "ui/widgets/flow.h"
+#include "ui/widgets/text.h"
 #include <QPainter>
 
 namespace widgets {
@@ -11,7 +12,7 @@ Card::Card(const QString &title, QWidget *parent)
     : QWidget(parent),
       m_title {text(title, ui::Type::Heading, ui::Role::Text2)},
       m_note {text({}, ui::Type::Heading, ui::Role::Text2)},
-      m_reason {sentence({}, ui::Role::Amber)},
+      m_reason {new Line(ui::Role::Amber)},
       m_body {new QVBoxLayout}
 {
     auto *header = new Flow;
@@ -20,13 +21,13 @@ Card::Card(const QString &title, QWidget *parent)
     header->addStretch();
     header->addWidget(m_note);
     auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(ui::space::inside, 12, ui::space::inside, ui::space::inside);
-    column->setSpacing(10);
+    column->setContentsMargins(ui::space::inside, 10, ui::space::inside, ui::space::inside);
+    column->setSpacing(0);
     column->addLayout(header);
     column->addWidget(m_reason);
     column->addLayout(m_body, 1);
     m_body->setSpacing(6);
-    m_reason->hide();
+    m_reason->setObjectName(QStringLiteral("reason"));
     m_title->setVisible(!title.isEmpty());
     m_note->hide();
     setAccessibleName(title);
@@ -45,13 +46,7 @@ void Card::setNote(const QString &note)
     m_note->setVisible(!note.isEmpty());
 }
 
-void Card::setReason(const QString &reason)
-{
-    if (reason == m_reason->text())
-        return;
-    m_reason->setText(reason);
-    m_reason->setVisible(!reason.isEmpty());
-}
+void Card::setReason(const QString &reason) { m_reason->setWords(reason); }
 
 void Card::paintEvent(QPaintEvent *)
 {

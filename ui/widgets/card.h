@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "ui/widgets/line.h"
 #include "ui/widgets/text.h"
 #include <QVBoxLayout>
 
@@ -18,7 +19,8 @@ public:
     [[nodiscard]] QVBoxLayout *body() const { return m_body; }
     void setTitle(const QString &title);
     void setNote(const QString &note);
-    /// Why the values of this card are missing, in a sentence under the title; empty hides it.
+    /// Why the values of this card are missing, or how the last order ended: a line under the title, whose room is
+    /// kept.
     void setReason(const QString &reason);
 
 protected:
@@ -27,7 +29,7 @@ protected:
 private:
     QLabel *m_title;
     QLabel *m_note;
-    QLabel *m_reason;
+    Line *m_reason;
     QVBoxLayout *m_body;
 };
 

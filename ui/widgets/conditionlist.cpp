@@ -3,6 +3,7 @@
 #include "ui/widgets/conditionlist.h"
 
 #include "ui/conditionwords.h"
+#include "ui/widgets/line.h"
 #include "ui/widgets/text.h"
 #include <QGridLayout>
 
@@ -42,8 +43,9 @@ ConditionList::ConditionList(robot::Orders &orders, robot::Act act, QWidget *par
 void ConditionList::addRow()
 {
     const int index = int(m_rows.size());
-    const Row row {
-        text({}, ui::Type::Body, ui::Role::Text1), sentence({}, ui::Role::Text1), sentence({}, ui::Role::Text2)};
+    const Row row {text({}, ui::Type::Body, ui::Role::Text1), new Line(ui::Role::Text1, ui::Type::Body),
+        sentence({}, ui::Role::Text2)};
+    keepRoom(row.remedy);
     row.words->setObjectName(QStringLiteral("condition%1").arg(index));
     row.remedy->setObjectName(QStringLiteral("remedy%1").arg(index));
     auto *grid = static_cast<QGridLayout *>(layout());
@@ -66,14 +68,13 @@ void ConditionList::showFinding(const Row &row, const robot::Finding &finding) c
     const bool isKnown = isWrong || finding.verdict == Verdict::Met;
     const QString title = isWrong ? ui::complaint(finding.condition) : ui::title(finding.condition);
     const QString words = isKnown ? title : tr("%1 — %2").arg(title, ui::word(finding.verdict));
-    const QString remedy = isWrong ? ui::remedy(finding.condition, m_orders.controller().profile().model) : QString();
     row.mark->setText(markOf(finding.verdict));
-    row.words->setText(words);
+    row.words->setWords(words);
     row.words->setAccessibleName(tr("%1: %2").arg(title, ui::word(finding.verdict)));
-    row.remedy->setText(remedy);
+    row.remedy->setText(ui::remedy(finding.condition, m_orders.controller().profile().model));
     row.remedy->setVisible(isWrong);
     setTextRole(row.mark, isWrong ? ui::Role::Amber : ui::Role::Text1);
-    setTextRole(row.words, isWrong ? ui::Role::Amber : isKnown ? ui::Role::Text1 : ui::Role::Text2);
+    row.words->setRole(isWrong ? ui::Role::Amber : isKnown ? ui::Role::Text1 : ui::Role::Text2);
 }
 
 } // namespace widgets

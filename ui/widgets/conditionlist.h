@@ -9,6 +9,8 @@ class QLabel;
 
 namespace widgets {
 
+class Line;
+
 /// Every condition of an act, one under the other and followed live: ✓ met, ✗ not met with what helps, … not read yet,
 /// ? cannot be read over HSES.
 class ConditionList : public QWidget
@@ -22,7 +24,7 @@ public:
 private:
     struct Row {
         QLabel *mark;
-        QLabel *words;
+        Line *words;
         QLabel *remedy;
     };
 

@@ -30,6 +30,7 @@ void HoldButton::setCaption(const QString &caption)
         return;
     m_caption = caption;
     setAccessibleDescription(caption);
+    setToolTip(caption);
     updateGeometry();
     update();
 }
@@ -52,7 +53,8 @@ void HoldButton::paintEvent(QPaintEvent *)
     paintWord(painter, QRectF(0, 4, width(), middle - 4));
     painter.setFont(ui::font(ui::Type::Label));
     painter.setPen(ui::color(ui::Role::Text2, this));
-    painter.drawText(QRectF(0, middle, width(), tallness - middle - 6), Qt::AlignCenter, m_caption);
+    const QString words = painter.fontMetrics().elidedText(m_caption, Qt::ElideRight, width() - 12);
+    painter.drawText(QRectF(0, middle, width(), tallness - middle - 6), Qt::AlignCenter, words);
 }
 
 void HoldButton::paintWord(QPainter &painter, const QRectF &line) const

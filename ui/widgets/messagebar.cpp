@@ -34,20 +34,34 @@ constexpr int barMargin = 12;
 } // namespace
 
 MessageBar::MessageBar(QWidget *parent)
-    : QWidget(parent), m_text {sentence({}, ui::Role::Text1)}, m_link {new QPushButton}
+    : QWidget(parent),
+      m_text {sentence({}, ui::Role::Text1)},
+      m_link {new QPushButton},
+      m_close {new QPushButton(QStringLiteral("✕"))}
 {
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(barMargin + lampSide + 8, 7, barMargin, 7);
     row->setSpacing(ui::space::gap);
     row->addWidget(m_text, 1);
     row->addWidget(m_link);
+    row->addWidget(m_close);
     m_text->setObjectName(QStringLiteral("messageText"));
     m_link->setObjectName(QStringLiteral("messageLink"));
     m_link->setProperty("link", true);
     m_link->setCursor(Qt::PointingHandCursor);
+    m_close->setObjectName(QStringLiteral("messageClose"));
+    m_close->setAccessibleName(tr("Close this message"));
+    m_close->setProperty("link", true);
+    m_close->hide();
     connect(m_link, &QPushButton::clicked, this, &MessageBar::linkActivated);
+    connect(m_close, &QPushButton::clicked, this, [this] {
+        hide();
+        Q_EMIT changed();
+    });
     setVisible(false);
 }
+
+void MessageBar::setClosable(bool closable) { m_close->setVisible(closable); }
 
 void MessageBar::show(const Message &message)
 {
@@ -63,6 +77,7 @@ void MessageBar::show(const Message &message)
     setAccessibleName(message.text);
     setVisible(!message.text.isEmpty());
     update();
+    Q_EMIT changed();
     if (isVisible()) {
         QAccessibleEvent event(this, QAccessible::Alert);
         QAccessible::updateAccessibility(&event);

@@ -21,7 +21,8 @@ struct Message {
     bool operator==(const Message &) const = default;
 };
 
-/// The one bar at the top of a page. Polling errors never open a box; they end here, one at a time.
+/// A mark, what happened, one link, and ✕ where it may be closed. Polling errors never open a box; they end in one of
+/// these, one at a time.
 class MessageBar : public QWidget
 {
     Q_OBJECT
@@ -29,12 +30,16 @@ class MessageBar : public QWidget
 public:
     explicit MessageBar(QWidget *parent = nullptr);
 
+    /// Closed, it comes back with the next message that is another.
+    void setClosable(bool closable);
     /// An empty text hides the bar.
     void show(const Message &message);
     [[nodiscard]] const Message &message() const { return m_message; }
 
 Q_SIGNALS:
     void linkActivated();
+    /// It came into view, went, or says something else.
+    void changed();
     /// Assistive technology was told: once for each message that comes in view.
     void announced(const QString &words);
 
@@ -45,6 +50,7 @@ private:
     Message m_message;
     QLabel *m_text;
     QPushButton *m_link;
+    QPushButton *m_close;
 };
 
 } // namespace widgets

@@ -5,6 +5,7 @@
 #include "ui/conditionwords.h"
 #include "ui/dialogs/whynotdialog.h"
 #include "ui/widgets/flow.h"
+#include "ui/widgets/line.h"
 #include "ui/widgets/text.h"
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -23,11 +24,9 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
     : QWidget(parent),
       m_orders {orders},
       m_act {act},
-      m_place {place},
-      m_text {ui::title(act)},
       m_button {new QPushButton},
       m_why {new QPushButton},
-      m_reason {sentence({}, ui::Role::Text2)}
+      m_reason {new Line(ui::Role::Text2)}
 {
     const auto name = QLatin1String(robot::key(act));
     m_button->setObjectName(name);
@@ -36,7 +35,6 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
     m_why->setAutoDefault(false);
     m_why->setProperty("link", true);
     m_reason->setObjectName(QLatin1String("reason-") + name);
-    m_reason->setFont(ui::font(ui::Type::Label));
     auto *row = new Flow;
     row->setSpacing(4);
     row->addWidget(m_button);
@@ -46,19 +44,25 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
     column->setSpacing(2);
     column->addLayout(row);
     column->addWidget(m_reason);
-    m_why->setVisible(!orders.findings(act).isEmpty()); // not before it has a parent: it would be a window
+    m_reason->setVisible(place == Reason::Below);
+    const bool hasConditions = !orders.findings(act).isEmpty();
+    if (hasConditions)
+        keepRoom(m_why);
+    reserveWidth(m_why, {tr("Why not?"), tr("Conditions")});
+    m_why->setVisible(hasConditions); // not before it has a parent: it would be a window
     m_patience.setSingleShot(true);
     connect(m_button, &QPushButton::clicked, this, &OrderButton::clicked);
     connect(m_why, &QPushButton::clicked, this, &OrderButton::openConditions);
     connect(&m_patience, &QTimer::timeout, this, &OrderButton::stopExpecting);
     connect(&orders, &robot::Orders::situationChanged, this, &OrderButton::update);
+    setText(ui::title(act));
     update();
 }
 
 void OrderButton::setText(const QString &text)
 {
-    m_text = text;
-    update();
+    m_button->setText(text);
+    m_why->setAccessibleName(tr("Conditions of: %1").arg(text));
 }
 
 void OrderButton::setComplaint(const QString &complaint)
@@ -86,15 +90,14 @@ void OrderButton::update()
     if (m_agrees && m_agrees(m_orders.situation()))
         return stopExpecting();
     const auto obstacle = m_orders.obstacle(m_act);
-    const QString reason = obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model) : m_complaint;
-    m_button->setText(m_agrees ? tr("%1: pending…").arg(m_text) : m_text);
-    m_button->setEnabled(reason.isEmpty() && !m_agrees);
+    const QString reason = m_agrees ? tr("Pending…")
+        : obstacle                  ? ui::reason(*obstacle, m_orders.controller().profile().model)
+                                    : m_complaint;
+    m_button->setEnabled(reason.isEmpty());
     m_button->setToolTip(reason);
     m_button->setAccessibleDescription(reason);
     m_why->setText(obstacle ? tr("Why not?") : tr("Conditions"));
-    m_why->setAccessibleName(tr("Conditions of: %1").arg(m_text));
-    m_reason->setText(reason);
-    m_reason->setVisible(m_place == Reason::Below && !reason.isEmpty());
+    m_reason->setWords(reason);
 }
 
 void OrderButton::openConditions()

@@ -7,10 +7,11 @@
 #include <QWidget>
 #include <functional>
 
-class QLabel;
 class QPushButton;
 
 namespace widgets {
+
+class Line;
 
 /// A button for everything that changes something at a controller. It is enabled while the conditions of its act are
 /// met; else the first reason stands under it, and "Why not?" beside it opens all of them.
@@ -18,7 +19,7 @@ namespace widgets {
 ///     auto *reset = new widgets::OrderButton(context.station.orders, robot::Act::ResetAlarm);
 ///     connect(reset, &OrderButton::clicked, this, [this, reset] {
 ///         m_orders.send(protocol::ResetAlarm {}, {Act::ResetAlarm}, this, [this](const auto &result) { … });
-///         reset->expect([](const Situation &s) { return s.status && !s.status->hasAlarm(); }); // "pending…" until
+///         reset->expect([](const Situation &s) { return s.status && !s.status->hasAlarm(); }); // "Pending…" until
 ///         then
 ///     });
 ///
@@ -38,7 +39,7 @@ public:
     void setText(const QString &text);
     /// What this page itself finds wanting ("Choose a job first."); it disables the button too. Empty: nothing.
     void setComplaint(const QString &complaint);
-    /// Shows "pending…" and takes no click until the situation agrees, or 10 s have passed.
+    /// Says "Pending…" in place of a reason and takes no click until the situation agrees, or 10 s have passed.
     void expect(Agrees agrees);
     /// The order was refused or withheld: nothing is pending any more.
     void stopExpecting();
@@ -54,14 +55,12 @@ private:
 
     robot::Orders &m_orders;
     robot::Act m_act;
-    Reason m_place;
-    QString m_text;
     QString m_complaint;
     Agrees m_agrees;
     QTimer m_patience;
     QPushButton *m_button;
     QPushButton *m_why;
-    QLabel *m_reason;
+    Line *m_reason;
 };
 
 } // namespace widgets

@@ -9,6 +9,8 @@ namespace widgets {
 
 QString dash() { return QStringLiteral("—"); }
 
+QString notTaught() { return QCoreApplication::translate("Shown", "not taught"); }
+
 Shown unknown()
 {
     return {{dash(), Lamp::None}, robot::Freshness::Unknown, QCoreApplication::translate("Shown", "Not read yet.")};
@@ -16,6 +18,8 @@ Shown unknown()
 
 Shown refused(const values::Error &refusal)
 {
+    if (protocol::isNotTaught(refusal))
+        return {{notTaught(), Lamp::None}, robot::Freshness::Refused, protocol::explain(refusal)};
     return {{dash(), Lamp::None}, robot::Freshness::Refused,
         QCoreApplication::translate("Shown", "Refused: %1").arg(protocol::explain(refusal))};
 }

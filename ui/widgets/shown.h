@@ -26,6 +26,8 @@ struct Shown {
 
 /// "—"
 [[nodiscard]] QString dash();
+/// Of a position variable that was never set.
+[[nodiscard]] QString notTaught();
 [[nodiscard]] Shown unknown();
 [[nodiscard]] Shown refused(const values::Error &refusal);
 /// "Last seen 12:03:04"

@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/widgets/statefield.h"
 
-#include "ui/widgets/text.h"
 #include <QVBoxLayout>
 
 namespace widgets {
 
 StateField::StateField(const QString &title, ui::Type type, QWidget *parent)
-    : QWidget(parent), m_title {text(title, ui::Type::Label, ui::Role::Text2)}, m_value {new ValueLabel(type)}
+    : QWidget(parent), m_title {new Line(ui::Role::Text2)}, m_value {new ValueLabel(type)}
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -17,14 +16,12 @@ StateField::StateField(const QString &title, ui::Type type, QWidget *parent)
     column->addWidget(m_title);
     column->addWidget(m_value);
     column->addStretch();
-    m_value->setTitle(title);
+    setTitle(title);
 }
 
 void StateField::setTitle(const QString &title)
 {
-    if (title == m_title->text())
-        return;
-    m_title->setText(title);
+    m_title->setWords(title);
     m_value->setTitle(title);
 }
 

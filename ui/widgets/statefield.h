@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "ui/widgets/valuelabel.h"
+#include "ui/widgets/line.h"
 
 namespace widgets {
 
@@ -20,7 +20,7 @@ public:
     [[nodiscard]] ValueLabel *value() const { return m_value; }
 
 private:
-    QLabel *m_title;
+    Line *m_title;
     ValueLabel *m_value;
 };
 

@@ -4,6 +4,7 @@
 
 #include <QStyle>
 #include <QVariant>
+#include <algorithm>
 
 namespace widgets {
 
@@ -32,6 +33,18 @@ QLabel *sentence(const QString &words, ui::Role role, QWidget *parent)
     QLabel *label = text(words, ui::Type::Body, role, parent);
     label->setWordWrap(true);
     return label;
+}
+
+void reserveWidth(QAbstractButton *button, const QStringList &texts)
+{
+    const QString present = button->text();
+    int widest = 0;
+    for (const QString &text : texts) {
+        button->setText(text);
+        widest = std::max(widest, button->sizeHint().width());
+    }
+    button->setText(present);
+    button->setMinimumWidth(widest);
 }
 
 } // namespace widgets

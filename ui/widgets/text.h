@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/theme.h"
+#include <QAbstractButton>
 #include <QLabel>
 
 namespace widgets {
@@ -15,5 +16,8 @@ void setTextRole(QWidget *widget, ui::Role role);
 
 /// The same for sentences, which wrap.
 [[nodiscard]] QLabel *sentence(const QString &words, ui::Role role, QWidget *parent = nullptr);
+
+/// Makes the button as wide as the widest of these texts needs, so that its neighbours stand still.
+void reserveWidth(QAbstractButton *button, const QStringList &texts);
 
 } // namespace widgets

@@ -28,6 +28,7 @@ public:
     /// What the last point is worth: an empty note while it is live, else "Last seen 12:03:04", and the way is drawn as
     /// stale.
     void setStale(const QString &note);
+    [[nodiscard]] bool isStale() const { return !m_staleNote.isEmpty(); }
     /// Where a point is drawn, in pixels.
     [[nodiscard]] QPointF placeOf(const trend::PathPoint &point) const;
     [[nodiscard]] double pixelsPerMillimetre() const { return m_scale; }

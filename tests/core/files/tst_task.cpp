@@ -245,6 +245,7 @@ void TestTask::cancelsAtABlockBorder()
     connect(&task, &Operation::progressed, &task, [&] { task.cancel(); });
     QVERIFY(FileDesk::finish(task));
     QVERIFY(task.state() == OperationState::Cancelled);
+    QVERIFY(task.record().outcome == journal::Outcome::Cancelled);
     QVERIFY(!desk.files().contains("HOME.JBI"));
 
     Upload waiting {desk.session, home, jobText("HOME"), always()};

@@ -15,6 +15,7 @@ private Q_SLOTS:
     void tableIsSortedAndWhole();
     void effectiveCodes_data();
     void effectiveCodes();
+    void notTaught();
     void busy_data();
     void busy();
     void explains_data();
@@ -41,6 +42,15 @@ void CodesTest::tableIsSortedAndWhole()
     }
     for (const int missing : {0x0000, 0x1000, 0x2071, 0xFFFF})
         QVERIFY(!findStatusCode(quint16(missing)));
+}
+
+/// A position variable that was never set (reference §4.4).
+void CodesTest::notTaught()
+{
+    QVERIFY(isNotTaught(refusal(0x1F, 0xB001)));
+    QVERIFY(isNotTaught(refusal(0x1F, 0xB005)));
+    QVERIFY(!isNotTaught(refusal(0x1F, 0xB00C)));
+    QVERIFY(!isNotTaught(values::Error {values::ErrorKind::NoAnswer}));
 }
 
 void CodesTest::effectiveCodes_data()

@@ -43,6 +43,9 @@ private Q_SLOTS:
     void alarmsWithoutTextsOnOldControllers();
     void alarmsAreReadOnTheEdge();
     void manyReadsDoNotDelayTheStatus();
+    void factsAreAskedOnceForTheLink();
+    void factsWaitForWhatIsWatched();
+    void pointsAreReadOnce();
 
 private:
     Server &serve(const virtualcontroller::Settings &settings = {}, const QString &faults = {});
@@ -158,6 +161,72 @@ void TestPoller::manyReadsDoNotDelayTheStatus()
     const int read = m_server->arrived(0x72) - before;
     QVERIFY2(read >= 8, qPrintable(QString::number(read)));
     QCOMPARE(controller.timesLost(), 0);
+}
+
+/// A page that is opened again does not ask again; another link does.
+void TestPoller::factsAreAskedOnceForTheLink()
+{
+    Controller controller {profileOf(serve())};
+    controller.open();
+    auto interest = controller.poller().want({{Kind::AxisNames, 1, 3}});
+    for (const int group : {1, 2, 3})
+        QTRY_VERIFY(freshness(controller, Kind::AxisNames, group) != Freshness::Unknown);
+    const int before = m_server->arrived(0x74);
+    interest = {};
+    const int status = m_server->arrived(0x72);
+    QTRY_VERIFY(m_server->arrived(0x72) > status + 2);
+    interest = controller.poller().want({{Kind::AxisNames, 1, 3}, {Kind::Register, 0, 9}});
+    QTRY_COMPARE(freshness(controller, Kind::Register, 9), Freshness::Live);
+    QTRY_VERIFY(m_server->arrived(0x72) > status + 6);
+    QCOMPARE(m_server->arrived(0x74), before);
+    controller.close();
+    controller.open();
+    QTRY_COMPARE(m_server->arrived(0x74), before + 3);
+}
+
+/// Forty names and the following error are wanted at once: it does not wait for the names.
+void TestPoller::factsWaitForWhatIsWatched()
+{
+    Controller controller {profileOf(serve())};
+    controller.open();
+    QTRY_VERIFY(controller.linkState() == LinkState::Monitoring);
+    const auto names = controller.poller().want(
+        {{Kind::AxisNames, 1, 8}, {Kind::AxisNames, 11, 18}, {Kind::AxisNames, 21, 44}, {Kind::FollowingError, 1, 1}});
+    int namesBefore = -1;
+    connect(&controller.state(), &RobotState::changed, this, [&](const TopicRange &range) {
+        if (range.contains({Kind::FollowingError, 1}) && namesBefore < 0)
+            namesBefore = m_server->arrived(0x74);
+    });
+    QTRY_VERIFY(namesBefore >= 0);
+    QVERIFY2(namesBefore <= 1, qPrintable(QString::number(namesBefore)));
+    QTRY_VERIFY(freshness(controller, Kind::AxisNames, 44) != Freshness::Unknown);
+}
+
+/// Taught or not, each is told once; asked for again, they are read again.
+void TestPoller::pointsAreReadOnce()
+{
+    Controller controller {profileOf(serve())};
+    for (std::size_t i = 0; i < 9; ++i)
+        m_server->memory().p[i] = values::PositionVariable {};
+    m_server->memory().p[1].reset();
+    const auto isTold = [&] {
+        for (const int number : {0, 2, 3, 4, 5, 6, 7, 8}) {
+            if (!controller.state().reading<Kind::PositionVariable>(number).value)
+                return false;
+        }
+        return freshness(controller, Kind::PositionVariable, 1) == Freshness::Refused;
+    };
+    const auto asked = [&] { return m_server->arrived(0x307) + m_server->arrived(0x7F); };
+    controller.open();
+    auto interest = controller.poller().wantOnce({{Kind::PositionVariable, 0, 8}});
+    QTRY_VERIFY(isTold());
+    const int before = asked();
+    const int status = m_server->arrived(0x72);
+    QTRY_VERIFY(m_server->arrived(0x72) > status + 10); // a second, in which they would be due twice
+    QCOMPARE(asked(), before);
+    interest = {};
+    interest = controller.poller().wantOnce({{Kind::PositionVariable, 0, 0}});
+    QTRY_COMPARE(asked(), before + 1);
 }
 
 QTEST_GUILESS_MAIN(TestPoller)

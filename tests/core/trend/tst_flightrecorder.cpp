@@ -48,6 +48,7 @@ class FlightRecorderTest : public QObject
 private Q_SLOTS:
     void keepsAMinuteBefore();
     void keepsWhatThereIs();
+    void aValueThatStaysIsALine();
     void tellsOnce();
     void isBounded();
     void edges_data();
@@ -79,6 +80,22 @@ void FlightRecorderTest::keepsAMinuteBefore()
     const auto &samples = kept.tracks[0].series.samples();
     QCOMPARE(samples.size(), std::size_t(65 + 1 + 11)); // 190 to 254, the gap, 260 to 270
     QCOMPARE(std::ranges::count_if(samples, &Sample::isGap), 1);
+}
+
+/// Read all the time and never another: one sample at each end, though the recording goes on behind the incident.
+void FlightRecorderTest::aValueThatStaysIsALine()
+{
+    FlightRecorder recorder;
+    for (int second = 0; second <= 300; ++second)
+        recorder.take(servo, {1, Unit::Bit}, zero + std::chrono::seconds {second});
+    recorder.trigger(zero + 250s, QStringLiteral("4315 collision detected"));
+    recorder.take(servo, {1, Unit::Bit}, zero + 301s);
+    const auto kept = recorder.tick(zero + 270s);
+    QVERIFY(kept && kept->tracks.size() == 1);
+    const Series &series = kept->tracks[0].series;
+    QCOMPARE(series.count(), std::size_t(2));
+    QVERIFY((series.samples()[0] == Sample {zero + 190s, 1}));
+    QVERIFY((series.samples()[1] == Sample {zero + 270s, 1}));
 }
 
 void FlightRecorderTest::keepsWhatThereIs()

@@ -137,7 +137,7 @@ void PositionPageTest::showsGroupsThatAnswer()
     QVERIFY(desk.open(desk.profile()));
     QTRY_COMPARE(desk.tabs(), (QStringList {QStringLiteral("R1"), QStringLiteral("B1"), QStringLiteral("S1")}));
     // 8 robots, 8 bases and 24 stations may be there (reference §2.1); three are.
-    QTRY_VERIFY(desk.find<QLabel>("groupNote")->text().contains(QStringLiteral("37 of 40")));
+    QTRY_VERIFY(desk.find<QLabel>("pageSubject")->toolTip().contains(QStringLiteral("37 of 40")));
     desk.find<QTabBar>("groupTabs")->setCurrentIndex(2);
     QTRY_COMPARE(desk.word("axisPulse3"), QStringLiteral("-30"));
     QVERIFY(!desk.value("axisPulse4")->isVisible());

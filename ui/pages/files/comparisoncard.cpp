@@ -46,7 +46,7 @@ ComparisonCard::ComparisonCard(const protocol::TextCodec &codec, QWidget *parent
     body()->addLayout(noiseRules());
     body()->addWidget(m_files, 2);
     body()->addWidget(m_diff, 3);
-    m_diff->showSentence(tr("Choose a backup and compare it."));
+    forget();
     m_files->setRootIsDecorated(true);
     m_files->setWordWrap(true);
     connect(&m_comparing, &QFutureWatcherBase::finished, this, [this] { showDifferences(m_comparing.result()); });
@@ -64,7 +64,7 @@ QLayout *ComparisonCard::noiseRules()
         box->setObjectName(QLatin1String("noise-") + QLatin1String(rule.key));
         box->setProperty("rule", QLatin1String(rule.key));
         box->setChecked(true);
-        connect(box, &QCheckBox::toggled, this, [this] { showSets(m_older, m_newer); });
+        connect(box, &QCheckBox::toggled, this, [this] { compareSets(); });
         grid->addWidget(box, 1 + int(m_noise.size()) / 2, int(m_noise.size()) % 2);
         m_noise << box;
     }
@@ -83,15 +83,32 @@ files::NoiseFilter ComparisonCard::noise() const
 
 void ComparisonCard::showSentence(const QString &sentence) { m_diff->showSentence(sentence); }
 
-void ComparisonCard::showSets(const files::FileSet &older, const files::FileSet &newer)
+void ComparisonCard::forget()
+{
+    m_older = {};
+    m_newer = {};
+    m_files->clear();
+    setTitle(tr("Comparison"));
+    setNote({});
+    m_diff->showSentence(tr("Choose a backup and compare it."));
+}
+
+void ComparisonCard::showSets(
+    const files::FileSet &older, const files::FileSet &newer, const QString &olderName, const QString &newerName)
 {
     m_older = older;
     m_newer = newer;
+    setTitle(tr("Comparison: from %1 to %2").arg(olderName, newerName));
+    compareSets();
+}
+
+void ComparisonCard::compareSets()
+{
     m_files->clear();
-    if (!older.content || !newer.content)
+    if (!m_older.content || !m_newer.content)
         return;
     m_diff->showSentence(tr("The files are being compared…"));
-    m_comparing.setFuture(QtConcurrent::run([older, newer, noise = noise(), codec = m_codec] {
+    m_comparing.setFuture(QtConcurrent::run([older = m_older, newer = m_newer, noise = noise(), codec = m_codec] {
         return station::differencesOf(older, newer, noise, codec);
     }));
 }
@@ -112,6 +129,8 @@ QTreeWidgetItem *ComparisonCard::rowOf(const station::FileDifference &difference
 
 void ComparisonCard::showDifferences(const QList<station::FileDifference> &differences)
 {
+    if (!m_older.content)
+        return; // another backup was chosen meanwhile
     m_files->clear();
     QList<QTreeWidgetItem *> folded;
     for (const station::FileDifference &difference : differences) {

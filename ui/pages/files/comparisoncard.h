@@ -28,13 +28,18 @@ public:
 
     /// A place for what belongs above the comparison.
     [[nodiscard]] widgets::Flow *tools() const { return m_tools; }
-    void showSets(const files::FileSet &older, const files::FileSet &newer);
+    /// `older` and `newer` in words: "12.03.26 08:30", "the controller now".
+    void showSets(
+        const files::FileSet &older, const files::FileSet &newer, const QString &olderName, const QString &newerName);
+    /// Nothing is compared any more: another backup was chosen.
+    void forget();
     /// A sentence instead of a comparison.
     void showSentence(const QString &sentence);
 
 private:
     [[nodiscard]] QLayout *noiseRules();
     [[nodiscard]] files::NoiseFilter noise() const;
+    void compareSets();
     void showDifferences(const QList<station::FileDifference> &differences);
     [[nodiscard]] QTreeWidgetItem *rowOf(const station::FileDifference &difference) const;
     void showFile();

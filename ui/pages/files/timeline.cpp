@@ -39,7 +39,8 @@ QString stateWord(const ArchiveEntry &entry)
 
 Timeline::Timeline(QWidget *parent) : QTreeWidget(parent)
 {
-    dressTable(this, {tr("Taken"), tr("Files"), tr("Changed"), tr("State")}, "timeline", tr("Backups"));
+    dressTable(
+        this, {tr("Taken"), tr("Files"), tr("Changed", "number of files"), tr("State")}, "timeline", tr("Backups"));
     setColumnWidth(Taken, 150);
     setColumnWidth(Files, 60);
     setColumnWidth(Changed, 75);

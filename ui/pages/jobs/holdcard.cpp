@@ -16,7 +16,7 @@ using values::Status;
 HoldCard::HoldCard(const Context &context, QWidget *parent)
     : OrderCard(context, tr("Hold"), parent),
       m_hold {new widgets::StateField(tr("Held by"), ui::Type::State)},
-      m_others {widgets::sentence({}, ui::Role::Amber)}
+      m_others {new widgets::Line(ui::Role::Amber)}
 {
     m_hold->value()->setObjectName(QStringLiteral("jobsHold"));
     m_others->setObjectName(QStringLiteral("heldElsewhere"));
@@ -37,8 +37,7 @@ void HoldCard::showStatus()
         elsewhere << ui::reason(Condition::NotHeldByPendant, m_profile.model);
     if (status && status->data2.testFlag(Status::HeldExternally))
         elsewhere << ui::reason(Condition::NotHeldExternally, m_profile.model);
-    m_others->setText(elsewhere.join(u'\n'));
-    m_others->setVisible(!elsewhere.isEmpty());
+    m_others->setWords(elsewhere.join(u' '));
 }
 
 void HoldCard::release()

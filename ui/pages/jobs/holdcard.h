@@ -24,7 +24,7 @@ private:
 
     widgets::StateField *m_hold;
     widgets::OrderButton *m_release;
-    QLabel *m_others; ///< Who else holds, and where to release it.
+    widgets::Line *m_others; ///< Who else holds, and where to release it.
 };
 
 } // namespace pages

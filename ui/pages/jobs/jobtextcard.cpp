@@ -5,11 +5,10 @@
 #include "protocol/codes.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/jobview.h"
-#include "ui/widgets/messagebar.h"
 #include "ui/widgets/tickbox.h"
 #include "ui/words.h"
 #include <QCheckBox>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QListWidget>
 #include <QPushButton>
 
@@ -25,37 +24,36 @@ JobTextCard::JobTextCard(const Context &context, JobLibrary &library, QWidget *p
       m_state {context.station.state()},
       m_library {library},
       m_encoding {context.station.profile().encoding},
-      m_old {new widgets::MessageBar},
       m_view {new widgets::JobView},
       m_empty {widgets::sentence(tr("Choose a job in the list to read it."), ui::Role::Text2)},
       m_outline {new QListWidget},
       m_follow {new widgets::TickBox(tr("Follow what is executed"))},
       m_read {new QPushButton(tr("Read again"))}
 {
-    m_old->setObjectName(QStringLiteral("oldCopy"));
     m_view->setObjectName(QStringLiteral("jobText"));
     m_empty->setObjectName(QStringLiteral("jobTextEmpty"));
     m_follow->setObjectName(QStringLiteral("followJob"));
     m_follow->setChecked(true);
     m_read->setObjectName(QStringLiteral("readJob"));
     m_read->setEnabled(false);
-    auto *texts = new QHBoxLayout;
-    texts->addWidget(m_view, 3);
-    texts->addWidget(outline(), 1);
+    widgets::keepRoom(m_view);
+    auto *texts = new QGridLayout; // while there is no text, a sentence stands in its place
+    texts->addWidget(m_view, 0, 0);
+    texts->addWidget(m_empty, 0, 0, Qt::AlignTop);
+    texts->addWidget(outline(), 0, 1);
+    texts->setColumnStretch(0, 3);
+    texts->setColumnStretch(1, 1);
     auto *row = new widgets::Flow;
     row->addWidget(m_follow);
     row->addStretch();
     row->addWidget(m_read);
-    body()->addWidget(m_old);
-    body()->addWidget(m_empty);
     body()->addLayout(texts, 1);
     body()->addLayout(row);
-    connect(m_old, &widgets::MessageBar::linkActivated, m_read, &QPushButton::click);
     connect(m_read, &QPushButton::clicked, this, [this] { m_library.readText(*m_job); });
     connect(m_follow, &QCheckBox::toggled, m_view, &widgets::JobView::setFollowing);
     connect(&library, &JobLibrary::copyChanged, this, &JobTextCard::showCopy);
     connect(&m_state, &robot::RobotState::changed, this, &JobTextCard::onStateChanged);
-    m_old->show({});
+    m_view->hide();
 }
 
 QWidget *JobTextCard::outline()
@@ -122,16 +120,16 @@ void JobTextCard::showNotes(const JobLibrary::Copy &copy, const JobText &parsed)
     setTitle(
         parsed.comment.isEmpty() ? text(m_job->base()) : tr("%1 · %2").arg(text(m_job->base()), text(parsed.comment)));
     setNote(copy.isReading ? tr("reading…") : copy.text.value ? tr("read at %1").arg(clock) : QString());
-    setReason(copy.trouble ? tr("The job could not be read: %1.").arg(protocol::explain(*copy.trouble)) : QString());
     const QString old = tr("Read at %1. The controller was in TEACH or the link was lost since: this copy may be old.");
-    m_old->show(copy.mayBeOld && !copy.isReading
-            ? widgets::Message {widgets::Severity::Warning, old.arg(clock), tr("Read again")}
-            : widgets::Message {});
+    setReason(copy.trouble ? tr("The job could not be read: %1.").arg(protocol::explain(*copy.trouble))
+            : copy.mayBeOld && !copy.isReading ? old.arg(clock)
+                                               : QString());
     if (copy.text.value && parsed.lines.isEmpty())
         m_empty->setText(tr("This file has no NOP line: it holds no instructions that could be shown."));
     else
         m_empty->setText(copy.isReading ? tr("Reading the job…") : tr("The job was not read yet."));
     m_empty->setVisible(parsed.lines.isEmpty());
+    m_view->setVisible(!parsed.lines.isEmpty());
 }
 
 void JobTextCard::onStateChanged(const robot::TopicRange &range)

@@ -13,7 +13,6 @@ class QPushButton;
 
 namespace widgets {
 class JobView;
-class MessageBar;
 } // namespace widgets
 
 namespace pages {
@@ -49,7 +48,6 @@ private:
     protocol::Encoding m_encoding;
     std::optional<values::FileName> m_job;
     QByteArray m_executing; ///< Name of the job that was executed last.
-    widgets::MessageBar *m_old;
     widgets::JobView *m_view;
     QLabel *m_empty;
     QListWidget *m_outline;

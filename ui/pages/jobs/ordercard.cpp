@@ -10,12 +10,8 @@ OrderCard::OrderCard(const Context &context, const QString &title, QWidget *pare
     : Card(title, parent),
       m_orders {context.station.orders},
       m_state {context.station.state()},
-      m_profile {context.station.profile()},
-      m_outcome {widgets::sentence({}, ui::Role::Amber)}
+      m_profile {context.station.profile()}
 {
-    m_outcome->setObjectName(QStringLiteral("outcome"));
-    m_outcome->hide();
-    static_cast<QVBoxLayout *>(layout())->addWidget(m_outcome);
 }
 
 widgets::OrderButton *OrderCard::addButton(robot::Act act)
@@ -27,7 +23,7 @@ widgets::OrderButton *OrderCard::addButton(robot::Act act)
 
 void OrderCard::begin(widgets::OrderButton *button, widgets::OrderButton::Agrees agrees)
 {
-    m_outcome->hide();
+    setReason({});
     if (agrees)
         button->expect(std::move(agrees));
 }
@@ -35,11 +31,8 @@ void OrderCard::begin(widgets::OrderButton *button, widgets::OrderButton::Agrees
 /// An unknown outcome stays pending: the status tells the truth.
 void OrderCard::end(widgets::OrderButton *button, robot::Act act, const values::Result<void> &result)
 {
-    m_outcome->setVisible(!result);
-    if (result)
-        return;
-    m_outcome->setText(ui::explain(act, result.error(), m_profile.model));
-    if (result.error().kind != values::ErrorKind::UnknownOutcome)
+    setReason(result ? QString() : ui::explain(act, result.error(), m_profile.model));
+    if (!result && result.error().kind != values::ErrorKind::UnknownOutcome)
         button->stopExpecting();
 }
 

@@ -33,9 +33,6 @@ protected:
     robot::Orders &m_orders;
     const robot::RobotState &m_state;
     const settings::Profile &m_profile;
-
-private:
-    QLabel *m_outcome;
 };
 
 } // namespace pages

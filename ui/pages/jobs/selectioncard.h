@@ -11,8 +11,8 @@ class StateField;
 
 namespace pages {
 
-/// Two boxes: the job that a start would take, and the job that is being executed. HSES tells one job only, which is
-/// the selected one at rest and the executing one while running; meanwhile the other box shows what was last seen.
+/// The job that the controller names (reference §3.5): at rest it is the one that a start would take, while running the
+/// one that is executed. Beside it whether it runs, and where it is.
 class SelectionCard : public widgets::Card
 {
     Q_OBJECT
@@ -21,17 +21,13 @@ public:
     explicit SelectionCard(const Context &context, QWidget *parent = nullptr);
 
 private:
-    void showJobs();
-    void showSelected(bool isRunning);
-    void showExecuting(bool isRunning);
+    void showJob();
 
     const robot::RobotState &m_state;
     protocol::Encoding m_encoding;
-    robot::Reading<values::ExecutingJob> m_selected; ///< As read the last time at rest.
-    widgets::StateField *m_selectedJob;
-    widgets::StateField *m_selectedPlace;
-    widgets::StateField *m_executingJob;
-    widgets::StateField *m_executingPlace;
+    widgets::StateField *m_job;
+    widgets::StateField *m_run;
+    widgets::StateField *m_place;
 };
 
 } // namespace pages

@@ -24,6 +24,7 @@ ServoCard::ServoCard(const Context &context, QWidget *parent)
     m_off = addButton(Act::ServoOff);
     m_warning->setObjectName(QStringLiteral("servoOffWarning"));
     body()->addWidget(m_warning);
+    widgets::keepRoom(m_warning);
     connect(m_on, &widgets::OrderButton::clicked, this, &ServoCard::confirmOn);
     connect(m_off, &widgets::OrderButton::clicked, this, &ServoCard::switchOff);
     connect(&context.station.state(), &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {

@@ -56,7 +56,7 @@ JogCard::JogCard(const Context &context, robot::Jog &jog, QWidget *parent)
       m_pad {new widgets::JogPad},
       m_keys {new widgets::TickBox(tr("Keyboard too: hold Ctrl and Space on the button that has the focus"))},
       m_worst {widgets::sentence({}, ui::Role::Text1)},
-      m_result {widgets::sentence({}, ui::Role::Text2)}
+      m_result {new widgets::Line(ui::Role::Text2, ui::Type::Body)}
 {
     m_pad->setObjectName(QStringLiteral("jogPad"));
     m_keys->setObjectName(QStringLiteral("jogKeys"));
@@ -175,10 +175,10 @@ std::optional<robot::Condition> JogCard::obstacle() const
 void JogCard::showState()
 {
     m_pad->setEnabled(m_jog.limits() && !obstacle());
-    m_result->setText(stateText());
+    m_result->setWords(stateText());
     const auto &reply = m_jog.lastReply();
     const bool isFine = m_jog.complaint().isEmpty() && (!reply || *reply) && m_jog.limits();
-    widgets::setTextRole(m_result, isFine ? ui::Role::Text2 : ui::Role::Amber);
+    m_result->setRole(isFine ? ui::Role::Text2 : ui::Role::Amber);
 }
 
 QString JogCard::stateText() const

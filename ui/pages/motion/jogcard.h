@@ -49,7 +49,7 @@ private:
     widgets::JogPad *m_pad;
     QCheckBox *m_keys;
     QLabel *m_worst;
-    QLabel *m_result;
+    widgets::Line *m_result;
 };
 
 } // namespace pages

@@ -4,6 +4,7 @@
 
 #include "protocol/codes.h"
 #include "robot/motionorders.h"
+#include "ui/widgets/line.h"
 #include "ui/widgets/text.h"
 #include <QGridLayout>
 #include <QMenu>
@@ -37,7 +38,7 @@ PointsBar::PointsBar(const Context &context, QWidget *parent)
       m_edits {context.station.orders, {}},
       m_variable {new QSpinBox},
       m_menu {new QMenu(this)},
-      m_note {widgets::sentence({}, ui::Role::Text2)}
+      m_note {new widgets::Line(ui::Role::Text2, ui::Type::Body)}
 {
     auto *present = button("moveTakePresent", tr("Take the present position"));
     auto *take = button("moveTakeVariable", tr("Take P"));
@@ -82,20 +83,22 @@ void PointsBar::takeVariable()
     const Reference variable {variables::Kind::P, m_variable->value()};
     const auto numbering = m_orders.controller().profile().numbering;
     const protocol::ReadItem<PositionVariable> request {protocol::variableInstance(variable.number, numbering)};
-    m_note->setText(tr("%1 is being read…").arg(toString(variable)));
+    m_note->setWords(tr("%1 is being read…").arg(toString(variable)));
     m_orders.read(request, this, [this, variable](const Result<PositionVariable> &read) { onRead(variable, read); });
 }
 
 void PointsBar::onRead(const Reference &variable, const Result<PositionVariable> &read)
 {
     const QString name = toString(variable);
-    if (!read) {
-        m_note->setText(tr("%1 could not be read: %2.").arg(name, protocol::explain(read.error())));
+    if (!read && protocol::isNotTaught(read.error())) {
+        m_note->setWords(tr("%1 is not taught.").arg(name));
+    } else if (!read) {
+        m_note->setWords(tr("%1 could not be read: %2.").arg(name, protocol::explain(read.error())));
     } else if (read->position.type != m_frame || !m_isAbsolute) {
-        m_note->setText(tr("%1 is in another frame (%2): choose that frame and an absolute move to take it.")
-                            .arg(name, values::toString(read->position.type)));
+        m_note->setWords(tr("%1 is in another frame (%2): choose that frame and an absolute move to take it.")
+                             .arg(name, values::toString(read->position.type)));
     } else {
-        m_note->setText(tr("The target is %1.").arg(name));
+        m_note->setWords(tr("The target is %1.").arg(name));
         Q_EMIT taken(read->position);
     }
 }
@@ -103,7 +106,7 @@ void PointsBar::onRead(const Reference &variable, const Result<PositionVariable>
 void PointsBar::keep()
 {
     if (!m_present) {
-        m_note->setText(tr("Only the present position of a robot can be kept, once it was read."));
+        m_note->setWords(tr("Only the present position of a robot can be kept, once it was read."));
         return;
     }
     m_edits.clear();
@@ -116,11 +119,11 @@ void PointsBar::onApplied()
     const auto edits = m_edits.staged().edits();
     const QString name = toString(Reference {variables::Kind::P, m_variable->value()});
     if (edits.isEmpty())
-        m_note->setText(tr("%1 was written and read back.").arg(name));
+        m_note->setWords(tr("%1 was written and read back.").arg(name));
     else if (edits.first().error)
-        m_note->setText(tr("%1 was not verified: %2.").arg(name, protocol::explain(*edits.first().error)));
+        m_note->setWords(tr("%1 was not verified: %2.").arg(name, protocol::explain(*edits.first().error)));
     else
-        m_note->setText(tr("%1 was written, but another value was read back.").arg(name));
+        m_note->setWords(tr("%1 was written, but another value was read back.").arg(name));
     m_edits.clear();
 }
 

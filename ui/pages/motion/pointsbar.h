@@ -5,9 +5,12 @@
 #include "robot/edits.h"
 #include "ui/pages/page.h"
 
-class QLabel;
 class QMenu;
 class QSpinBox;
+
+namespace widgets {
+class Line;
+}
 
 namespace pages {
 
@@ -51,7 +54,7 @@ private:
     QList<Remembered> m_history; ///< The newest first.
     QSpinBox *m_variable;
     QMenu *m_menu;
-    QLabel *m_note; ///< What came of taking or keeping a position.
+    widgets::Line *m_note; ///< What came of taking or keeping a position.
 };
 
 } // namespace pages
