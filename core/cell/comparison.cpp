@@ -14,6 +14,8 @@ namespace cell {
 
 namespace {
 
+Statements comparePanelBoxes(const Context &context);
+
 struct Comparer {
     QByteArrayView pattern; ///< As in cellfiles::fileTypes().
     Statements (*compare)(const Context &);
@@ -34,6 +36,7 @@ constexpr std::array comparers {
     Comparer {"OPEORG.DAT", compareHomePositions},
     Comparer {"PSEUDOIN.DAT", comparePseudoInputs},
     Comparer {"SYSTEM.SYS", compareSystems},
+    Comparer {"PANELBOX.LOG", comparePanelBoxes},
     Comparer {"LOGDATA.DAT", compareLogs},
     Comparer {"ALMHIST.DAT", compareAlarms},
 };
@@ -87,6 +90,18 @@ void compareRows(const cellfiles::Table &older, const cellfiles::Table &newer, b
     }
 }
 
+/// Its head is that of SYSTEM.SYS with the same date and hours; options and settings follow.
+Statements comparePanelBoxes(const Context &context)
+{
+    constexpr qsizetype headTables = 3;
+    const auto older = cellfiles::viewOf("PANELBOX.LOG", context.versions.older, context.codec).tables;
+    const auto newer = cellfiles::viewOf("PANELBOX.LOG", context.versions.newer, context.codec).tables;
+    Statements statements = compareSystems(context);
+    for (qsizetype table = headTables; table < std::min(older.size(), newer.size()); ++table)
+        compareRows(older[table], newer[table], false, statements);
+    return statements;
+}
+
 /// Without what an editor or the controller changes without meaning it: line ends and blanks before them.
 QByteArrayList plainLines(const QByteArray &file)
 {
@@ -125,7 +140,8 @@ std::optional<Statement> damage(const Context &context)
 bool isReadWholly(const FileType &type)
 {
     const QByteArrayView pattern = type.pattern;
-    return pattern == "*.PRM" || pattern == "SYSTEM.SYS" || type.fileClass == FileClass::Log;
+    return pattern == "*.PRM" || pattern == "SYSTEM.SYS" || pattern == "PANELBOX.LOG"
+        || type.fileClass == FileClass::Log;
 }
 
 Statements inWords(const QByteArray &name, const FileType &type, const Context &context)
@@ -179,6 +195,12 @@ Statements statementsOf(
         statement.isNoise = statement.isNoise || isNoise;
     cut(statements);
     return statements;
+}
+
+bool hasWords(const QByteArray &name)
+{
+    const QByteArrayView pattern = cellfiles::fileTypeOf(name).pattern;
+    return std::ranges::find(comparers, pattern, &Comparer::pattern) != comparers.end();
 }
 
 bool isDifference(const Statements &statements)

@@ -30,6 +30,9 @@ struct Versions {
     const QByteArray &name, const Versions &versions, const Knowledge &knowledge, const protocol::TextCodec &codec);
 constexpr int mostStatements = 200;
 
+/// Has this type of file words of its own, so that what they leave out is noise and nothing else is?
+[[nodiscard]] bool hasWords(const QByteArray &name);
+
 /// Is any of them more than noise?
 [[nodiscard]] bool isDifference(const Statements &statements);
 

@@ -139,7 +139,10 @@ bool isGood(ReadBack readBack) { return readBack == ReadBack::Identical || readB
 QList<RestoreItem> planRestore(const FileSet &bag, const FileSet &controller, const RestoreWish &wish)
 {
     std::map<FileName, Change> changes;
-    for (const FileChange &change : compare(bag, controller, NoiseFilter {}))
+    // What a controller reformats by itself. Times of day within data are data.
+    const NoiseFilter reformatting {
+        {QStringLiteral("job-dates"), QStringLiteral("blanks"), QStringLiteral("line-ends")}};
+    for (const FileChange &change : compare(bag, controller, reformatting))
         changes[change.name] = change.change;
     QList<FileName> wanted = wish.names;
     if (wanted.isEmpty()) {

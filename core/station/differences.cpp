@@ -119,9 +119,13 @@ QList<FileDifference> differencesOf(
         if (change.change == Change::Same)
             continue;
         FileDifference difference {change.name, change.change, cellfiles::fileTypeOf(change.name.bytes()).fileClass};
-        if (change.change == Change::Changed)
+        // A time of day may be noise in a log and is data in a variable: the words know.
+        const bool isNoise = change.change == Change::OnlyNoise;
+        if (isNoise && cell::hasWords(change.name.bytes()))
+            difference.change = Change::Changed;
+        if (difference.change == Change::Changed)
             explainChange(difference, sets, knowledge);
-        else if (change.change != Change::Unread && isNoiseClass(difference.fileClass))
+        else if (difference.change != Change::Unread && isNoiseClass(difference.fileClass))
             difference.change = Change::OnlyNoise;
         differences << difference;
     }
