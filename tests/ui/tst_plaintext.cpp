@@ -68,7 +68,7 @@ QStringList tipsWithMarkup(const QWidget &window)
 } // namespace
 
 /// Text from outside is shown as text: it may look like HTML, and then it would load files, or be read for ever.
-class ForeignTextTest : public QObject
+class PlainTextTest : public QObject
 {
     Q_OBJECT
 
@@ -78,7 +78,7 @@ private Q_SLOTS:
     void everyPageIsPlain();
 };
 
-void ForeignTextTest::toolTipsArePlain()
+void PlainTextTest::toolTipsArePlain()
 {
     QWidget window;
     window.show();
@@ -89,7 +89,7 @@ void ForeignTextTest::toolTipsArePlain()
     QToolTip::hideText();
 }
 
-void ForeignTextTest::messageBoxesArePlain()
+void PlainTextTest::messageBoxesArePlain()
 {
     QMessageBox box(QMessageBox::NoIcon, QStringLiteral("Box"), QString::fromLatin1(bold));
     box.setInformativeText(QString::fromLatin1(bold));
@@ -104,7 +104,7 @@ void ForeignTextTest::messageBoxesArePlain()
     QCOMPARE(found, 2);
 }
 
-void ForeignTextTest::everyPageIsPlain()
+void PlainTextTest::everyPageIsPlain()
 {
     Harness harness;
     QVERIFY(harness.startController());
@@ -137,8 +137,8 @@ int main(int argc, char *argv[])
 {
     QApplication application {argc, argv};
     ui::apply(application, ui::Scheme::Light);
-    ForeignTextTest test;
+    PlainTextTest test;
     return QTest::qExec(&test, argc, argv);
 }
 
-#include "tst_foreigntext.moc"
+#include "tst_plaintext.moc"
