@@ -22,6 +22,17 @@ QUuid idOf(const settings::Profile &profile)
     return QUuid::createUuidV5(space, QStringLiteral("%1 %2:%3").arg(profile.name, profile.host).arg(profile.port));
 }
 
+/// As the store knows it by its name, else by name and address.
+void identify(settings::Profile &profile, const settings::ProfileStore &store)
+{
+    const auto known = store.find(profile.name);
+    profile.id = known ? known->id : idOf(profile);
+    if (!known)
+        return;
+    profile.folder = known->folder;
+    profile.formerNames = known->formerNames;
+}
+
 } // namespace
 
 Fleet::Fleet(Shared shared, QObject *parent) : QObject {parent}, m_shared {shared} { }
@@ -64,7 +75,7 @@ std::shared_ptr<Station> Fleet::add(const settings::Profile &profile)
     if (profile.host.isEmpty())
         return std::make_shared<Station>(profile, m_shared);
     if (identified.id.isNull())
-        identified.id = idOf(profile);
+        identify(identified, m_shared.store);
     if (auto known = find(identified.id)) {
         if (known->profile() == identified)
             return known;

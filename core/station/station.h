@@ -35,7 +35,7 @@ struct Station {
     [[nodiscard]] const robot::RobotState &state() const { return controller.state(); }
     [[nodiscard]] bool isOpen() const { return controller.linkState() != robot::LinkState::Disconnected; }
     /// What people keep about this controller at this computer.
-    [[nodiscard]] settings::Notes notes() const { return shared.store.notes(profile().name); }
+    [[nodiscard]] settings::Notes notes() const { return shared.store.notes(profile()); }
     /// What would be lost if the station went away now, in whole sentences.
     [[nodiscard]] QStringList unfinished() const;
 
