@@ -3,7 +3,7 @@
 # Completion of pendeskctl for bash.
 _pendeskctl() {
     local word=${COMP_WORDS[COMP_CWORD]} verb=${COMP_WORDS[1]} before=${COMP_WORDS[COMP_CWORD-1]}
-    local controller='--host --port --file-port --profile --timeout'
+    local controller='--host --port --file-port --model --profile --timeout'
     local words="$controller --numbering --json --yes --quiet --log --help"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
@@ -22,7 +22,7 @@ _pendeskctl() {
             *:--numbering) words='0 1'; verb= ;;
             decode:--port) words='10040 10041'; verb= ;;
             decode:--encoding) words='ISO-8859-1 UTF-8 Shift_JIS GBK Big5 EUC-KR'; verb= ;;
-            decode:--model) words='dx100 dx200 fs100 yrc1000 yrc1000micro'; verb= ;;
+            *:--model) words='dx100 dx200 fs100 yrc1000 yrc1000micro'; verb= ;;
             files:*|compare:*|show:*) [[ $word == -* ]] || { compopt -o default; return; } ;;
         esac
     fi

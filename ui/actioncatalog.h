@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QHash>
+#include <QUuid>
 #include <span>
 
 namespace ui {
@@ -56,6 +57,8 @@ Q_SIGNALS:
     void triggered(ui::ActionId id);
     /// On a page somebody chose to connect to a controller that the store knows; the page sends it.
     void profileChosen(const QString &name) const;
+    /// Somebody chose to look at a controller, connected or not.
+    void stationChosen(const QUuid &id) const;
 
 private:
     QHash<ActionId, QAction *> m_actions;

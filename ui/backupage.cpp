@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/backupage.h"
 
-#include "ui/pages/files/backupchoices.h"
+#include "station/backupchoices.h"
 
 namespace ui {
 
@@ -36,7 +36,7 @@ void BackupAge::look()
 {
     if (m_controller.isEmpty() || m_isLooking)
         return;
-    const files::Archive archive {pages::readBackupChoices(m_notes).folder, m_controller};
+    const files::Archive archive {station::readBackupChoices(m_notes).folder, m_controller};
     m_isLooking = true;
     m_disk.run(
         this, [archive] { return archive.newestComplete(); },

@@ -195,6 +195,7 @@ QString reason(Arming::Drop drop)
     case Drop::Disconnected: return Conditions::tr("the connection was closed");
     case Drop::LanguageChanged: return Conditions::tr("the language was changed");
     case Drop::SecondWindow: return Conditions::tr("another window came to the front");
+    case Drop::StationLeft: return Conditions::tr("the window was turned to another controller");
     case Drop::OtherController: return Conditions::tr("another controller was armed");
     }
     return {};

@@ -35,11 +35,13 @@ QList<robot::TopicRange> alwaysRead()
 
 } // namespace
 
-ControllerView::ControllerView(std::shared_ptr<station::Station> station, const Actions &actions, QWidget *parent)
+ControllerView::ControllerView(
+    std::shared_ptr<station::Station> station, station::Fleet &fleet, const Actions &actions, QWidget *parent)
     : QWidget(parent),
       m_station {std::move(station)},
+      m_fleet {fleet},
       m_actions {actions},
-      m_rail {new NavigationRail(controller().state(), m_station->profile(), actions)},
+      m_rail {new NavigationRail(fleet, m_station->profile(), actions)},
       m_notices {new widgets::NoticeStack(this)},
       m_notice {m_notices->add(QStringLiteral("linkNotice"))},
       m_lockNotice {m_notices->add(QStringLiteral("lockNotice"))},
@@ -57,8 +59,7 @@ ControllerView::ControllerView(std::shared_ptr<station::Station> station, const 
     m_journalNotice->setClosable(true);
     m_fade.setSingleShot(true);
     m_fade.setInterval(20s);
-    const QString &name = m_station->profile().name;
-    const auto *backup = new BackupAge(name, m_station->notes(), this);
+    const auto *backup = new BackupAge(m_station->profile().folderName(), m_station->notes(), this);
     connect(backup, &BackupAge::told, m_rail, &NavigationRail::showBackup);
     connect(m_notice, &widgets::MessageBar::linkActivated, this, [this] {
         if (m_noticeAction)
@@ -102,7 +103,7 @@ pages::Page *ControllerView::page(int row)
 
 pages::Page *ControllerView::makePage(int row)
 {
-    const pages::Context context {*m_station, m_station->shared.store, m_actions};
+    const pages::Context context {*m_station, m_fleet, m_station->shared.store, m_actions};
     const PageRow &entry = pageCatalog()[std::size_t(row)];
     pages::Page *page = entry.create(context, m_stack);
     page->setObjectName(QLatin1String(entry.id) + QStringLiteral("Page"));
@@ -129,15 +130,6 @@ QList<pages::Page *> ControllerView::madePages() const
     QList<pages::Page *> made = m_pages;
     made.removeAll(nullptr);
     return made;
-}
-
-QStringList ControllerView::unfinished() const
-{
-    QStringList sentences;
-    for (const pages::Page *page : madePages())
-        sentences << page->unfinished();
-    sentences.removeAll(QString());
-    return sentences;
 }
 
 void ControllerView::follow()
@@ -359,7 +351,6 @@ void ControllerView::showLink()
     const LinkView link = linkView(controller());
     for (RobotStrip *strip : findChildren<RobotStrip *>())
         strip->showLink(link);
-    m_rail->showLink(link);
     for (pages::Page *page : madePages())
         page->showLink(link);
 }

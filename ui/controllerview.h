@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "station/station.h"
+#include "station/fleet.h"
 #include "ui/messages.h"
 #include <QPointer>
 #include <QTimer>
@@ -33,8 +33,9 @@ class ControllerView : public QWidget
     Q_OBJECT
 
 public:
-    /// `actions` must outlive the view.
-    ControllerView(std::shared_ptr<station::Station> station, const Actions &actions, QWidget *parent = nullptr);
+    /// `fleet` and `actions` must outlive the view.
+    ControllerView(std::shared_ptr<station::Station> station, station::Fleet &fleet, const Actions &actions,
+        QWidget *parent = nullptr);
     ~ControllerView() override;
 
     [[nodiscard]] const std::shared_ptr<station::Station> &station() { return m_station; }
@@ -47,8 +48,6 @@ public:
     [[nodiscard]] pages::Page *page(int row);
     /// The row of the page in view in this window.
     [[nodiscard]] int openRow() const;
-    /// What would be lost with the pages, in whole sentences; see pages::Page::unfinished().
-    [[nodiscard]] QStringList unfinished() const;
     /// Brings the page in view, in its own window if it has one.
     void openPage(int row);
     /// Row of the page that was opened last.
@@ -98,6 +97,7 @@ private:
     void openReadiness(bool isAsked);
 
     std::shared_ptr<station::Station> m_station;
+    station::Fleet &m_fleet;
     const Actions &m_actions;
     NavigationRail *m_rail;
     QPointer<widgets::NoticeStack> m_notices; ///< A child of the window.

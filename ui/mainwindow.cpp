@@ -24,9 +24,9 @@ namespace ui {
 
 using robot::LinkState;
 
-MainWindow::MainWindow(station::Shared shared, StartDemo startDemo, QWidget *parent)
+MainWindow::MainWindow(station::Fleet &fleet, StartDemo startDemo, QWidget *parent)
     : QMainWindow(parent),
-      m_shared {shared},
+      m_fleet {fleet},
       m_startDemo {std::move(startDemo)},
       m_actions {new Actions(this)},
       m_level {widgets::text({}, Type::Label, Role::Text2)},
@@ -37,9 +37,10 @@ MainWindow::MainWindow(station::Shared shared, StartDemo startDemo, QWidget *par
     makeStatusBar();
     connect(m_actions, &Actions::triggered, this, &MainWindow::run);
     connect(m_actions, &Actions::profileChosen, this, [this](const QString &name) {
-        if (const auto profile = m_shared.store.find(name))
+        if (const auto profile = m_fleet.shared().store.find(name))
             connectTo(*profile);
     });
+    connect(m_actions, &Actions::stationChosen, this, &MainWindow::openStation);
     connect(new HoldKey(this), &HoldKey::pressed, this, [this] { run(ActionId::Hold); });
     offer({});
 }
@@ -67,13 +68,17 @@ void MainWindow::openAccessMenu()
 /// HLOCK outlives this program: the person at the pendant would stand there locked out.
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    const bool isLocked = m_view->orders().isPendantLocked() && !m_isLeavingLocked;
-    if (!isLocked && (m_isLeaving || m_view->unfinished().isEmpty()))
+    const auto stations = m_fleet.stations();
+    const auto locked = std::ranges::find_if(stations, [](const auto &one) { return one->orders.isPendantLocked(); });
+    const bool isLocked = locked != stations.end() && !m_isLeavingLocked;
+    if (!isLocked && (m_isLeaving || m_fleet.unfinished().isEmpty()))
         return QMainWindow::closeEvent(event);
     event->ignore();
-    if (isLocked)
+    if (isLocked) {
+        turnTo(*locked);
         return offerRelease();
-    leavePages([this] {
+    }
+    leaveProgram([this] {
         m_isLeaving = true;
         close();
     });
@@ -103,20 +108,42 @@ void MainWindow::offerRelease()
     box->open();
 }
 
-void MainWindow::offer(const settings::Profile &profile)
+void MainWindow::offer(const settings::Profile &profile) { turnTo(m_fleet.add(profile)); }
+
+/// The pages of a controller; one that is not connected is offered.
+void MainWindow::openStation(const QUuid &id)
 {
-    if (m_view) {
-        disarm(robot::Arming::Drop::Disconnected);
-        controller().disconnect(this);
-        controller().close();
+    for (const auto &entry : m_fleet.roster()) {
+        if (entry.profile.id == id && !id.isNull())
+            return entry.station ? turnTo(entry.station) : offer(entry.profile);
     }
-    show(std::make_shared<station::Station>(profile, m_shared));
+}
+
+void MainWindow::turnTo(const std::shared_ptr<station::Station> &station)
+{
+    if (m_view && m_view->station() == station)
+        return;
+    if (m_view)
+        leave();
+    show(station);
+}
+
+/// A level belongs to the controller in view: whoever comes back begins in Monitor.
+void MainWindow::leave()
+{
+    station::Station &left = *m_view->station();
+    disarm(robot::Arming::Drop::StationLeft);
+    left.access.enter(robot::Level::Monitor);
+    left.controller.disconnect(this);
+    left.controller.setPace(robot::Pace::Background);
+    if (!left.isOpen() && m_fleet.find(left.id()) == m_view->station())
+        m_fleet.close(left.id());
 }
 
 void MainWindow::disarm(robot::Arming::Drop reason)
 {
     if (m_view->orders().isArmed())
-        m_shared.arming.drop(reason);
+        m_fleet.shared().arming.drop(reason);
 }
 
 /// Puts widgets around the station, in place of those that are there.
@@ -125,7 +152,8 @@ void MainWindow::show(std::shared_ptr<station::Station> station)
     if (QWidget *old = takeCentralWidget()) {
         old->deleteLater(); // it may be one of its buttons that led here
     }
-    m_view = new ControllerView(std::move(station), *m_actions);
+    station->controller.setPace(robot::Pace::Watched);
+    m_view = new ControllerView(std::move(station), m_fleet, *m_actions);
     setCentralWidget(m_view);
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
@@ -161,10 +189,10 @@ void MainWindow::translate()
     m_view->openPage(row);
 }
 
-/// Goes on at once if no page would lose anything, else when the person says so.
-void MainWindow::leavePages(const std::function<void()> &then)
+/// Goes on at once if nothing would be lost, else when the person says so.
+void MainWindow::leaveProgram(const std::function<void()> &then)
 {
-    const QStringList losses = m_view->unfinished();
+    const QStringList losses = m_fleet.unfinished();
     if (losses.isEmpty())
         return then();
     auto *box = new QMessageBox(
@@ -181,20 +209,17 @@ void MainWindow::leavePages(const std::function<void()> &then)
 /// The windows that stood open the last time, and from now on what is opened and closed is kept.
 void MainWindow::restoreWindows()
 {
-    for (const QString &id : m_shared.store.pagesInWindows())
+    for (const QString &id : m_fleet.shared().store.pagesInWindows())
         m_view->openInWindow(id);
     connect(m_view, &ControllerView::pagesInWindowsChanged, this,
-        [this] { m_shared.store.setPagesInWindows(m_view->pagesInWindows()); });
+        [this] { m_fleet.shared().store.setPagesInWindows(m_view->pagesInWindows()); });
 }
 
 void MainWindow::connectTo(const settings::Profile &profile)
 {
-    leavePages([this, profile] {
-        offer(profile);
-        if (m_shared.store.find(profile.name))
-            m_shared.store.setLastUsed(profile.name);
-        controller().open();
-    });
+    turnTo(m_fleet.open(profile));
+    if (m_fleet.shared().store.find(profile.name))
+        m_fleet.shared().store.setLastUsed(profile.name);
 }
 
 void MainWindow::openDemo()
@@ -229,7 +254,7 @@ void MainWindow::run(ActionId id)
 void MainWindow::openConnectionDialog()
 {
     if (!m_connectionDialog) {
-        m_connectionDialog = new dialogs::ConnectionDialog(m_shared.store, controller().profile().name, this);
+        m_connectionDialog = new dialogs::ConnectionDialog(m_fleet.shared().store, controller().profile().name, this);
         connect(m_connectionDialog, &dialogs::ConnectionDialog::connectRequested, this, &MainWindow::connectTo);
     }
     m_connectionDialog->show();
@@ -264,21 +289,15 @@ void MainWindow::copyDiagnosis()
 
 void MainWindow::openAppearance()
 {
-    auto *dialog = new dialogs::AppearanceDialog(m_shared.store.appearance(), this);
+    auto *dialog = new dialogs::AppearanceDialog(m_fleet.shared().store.appearance(), this);
     connect(dialog, &dialogs::AppearanceDialog::chosen, this, &MainWindow::wear);
     dialog->open();
 }
 
 void MainWindow::wear(const settings::Appearance &wanted)
 {
-    const auto change = [this, wanted] {
-        m_shared.store.setAppearance(wanted);
-        ui::wear(*qApp, wanted);
-    };
-    if (wanted.language == m_shared.store.appearance().language)
-        change(); // no page is made anew
-    else
-        leavePages(change);
+    m_fleet.shared().store.setAppearance(wanted);
+    ui::wear(*qApp, wanted);
 }
 
 void MainWindow::showAbout()

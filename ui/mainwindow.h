@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "settings/profilestore.h"
+#include "station/fleet.h"
 #include "ui/controllerview.h"
 #include <QMainWindow>
 #include <QPointer>
@@ -20,7 +20,7 @@ class ConnectionDialog;
 
 namespace ui {
 
-/// The window. It shows one controller at a time, which can be exchanged for another.
+/// The window. It shows one station of the fleet at a time; the others go on meanwhile, read once a second.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -29,12 +29,12 @@ public:
     /// Starts the simulated controller, if it does not run yet, and tells where it listens.
     using StartDemo = std::function<values::Result<settings::Profile>()>;
 
-    /// What is shared must outlive the window.
-    MainWindow(station::Shared shared, StartDemo startDemo, QWidget *parent = nullptr);
+    /// `fleet` must outlive the window.
+    MainWindow(station::Fleet &fleet, StartDemo startDemo, QWidget *parent = nullptr);
 
     /// Shows the profile's controller without connecting.
     void offer(const settings::Profile &profile);
-    /// Drops the present controller and begins checking this one. A profile that is in the store becomes the last used.
+    /// Shows the profile's controller and begins checking it. A profile that is in the store becomes the last used.
     void connectTo(const settings::Profile &profile);
     void openDemo();
 
@@ -51,8 +51,11 @@ private:
     void run(ActionId id);
     void show(std::shared_ptr<station::Station> station);
     void translate();
+    void openStation(const QUuid &id);
+    void turnTo(const std::shared_ptr<station::Station> &station);
+    void leave();
     void disarm(robot::Arming::Drop reason);
-    void leavePages(const std::function<void()> &then);
+    void leaveProgram(const std::function<void()> &then);
     void openAppearance();
     void wear(const settings::Appearance &wanted);
     void restoreWindows();
@@ -69,7 +72,7 @@ private:
     void onLinkStateChanged();
     void onStatisticsChanged();
 
-    station::Shared m_shared;
+    station::Fleet &m_fleet;
     StartDemo m_startDemo;
     Actions *m_actions;
     ControllerView *m_view = nullptr;

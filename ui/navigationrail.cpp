@@ -4,10 +4,9 @@
 
 #include "ui/icons.h"
 #include "ui/pagecatalog.h"
-#include "ui/widgets/controllertile.h"
+#include "ui/stationlist.h"
 #include "ui/widgets/scrollcolumn.h"
 #include "ui/widgets/text.h"
-#include "ui/words.h"
 #include <QButtonGroup>
 #include <QMenu>
 #include <QPainter>
@@ -15,10 +14,6 @@
 #include <QVBoxLayout>
 
 namespace ui {
-
-using robot::LinkState;
-using widgets::Lamp;
-using widgets::Word;
 
 namespace {
 
@@ -62,39 +57,29 @@ QPushButton *actionEntry(QAction *action)
     return button;
 }
 
-Word linkSummary(const LinkView &link)
-{
-    const Lamp lamp = link.state == LinkState::Lost || link.trouble ? Lamp::Warning : Lamp::None;
-    if (link.state != LinkState::Lost)
-        return {linkWord(link.state), lamp};
-    return {NavigationRail::tr("%1 · %2").arg(linkWord(link.state), link.since.toString(u"HH:mm:ss")), lamp};
-}
-
 } // namespace
 
 NavigationRail::NavigationRail(
-    const robot::RobotState &state, const settings::Profile &profile, const Actions &actions, QWidget *parent)
-    : QWidget(parent),
-      m_state {state},
-      m_tile {new widgets::ControllerTile(profile.name.isEmpty() ? tr("No controller") : profile.name)},
-      m_pages {new QButtonGroup(this)}
+    const station::Fleet &fleet, const settings::Profile &shown, const Actions &actions, QWidget *parent)
+    : QWidget(parent), m_stations {new StationList(fleet, shown)}, m_pages {new QButtonGroup(this)}
 {
     auto *entries = new QWidget;
     auto *column = new QVBoxLayout(entries);
     column->setContentsMargins(10, 8, 10, 10);
     column->setSpacing(2);
     column->addWidget(heading(tr("CONTROLLERS")));
-    column->addWidget(m_tile);
-    m_tile->setObjectName(QStringLiteral("controllerTile"));
+    column->addWidget(m_stations);
     addPages(column);
     column->addStretch();
     addActions(column, actions);
     addScroll(entries);
-    connect(&state, &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
-        if (range.contains(robot::topics::status))
-            showTile();
+    connect(m_stations, &StationList::chosen, this, [&actions](const QUuid &id) { Q_EMIT actions.stationChosen(id); });
+    connect(m_stations, &StationList::moreWanted, this, [this] {
+        const auto catalog = pageCatalog();
+        const auto fleetPage = std::ranges::find_if(
+            catalog, [](const PageRow &row) { return QLatin1String(row.id) == QLatin1String("fleet"); });
+        Q_EMIT pageChosen(int(fleetPage - catalog.begin()));
     });
-    showTile();
 }
 
 /// In a low window the entries are scrolled.
@@ -142,19 +127,7 @@ void NavigationRail::addActions(QVBoxLayout *column, const Actions &actions)
 
 void NavigationRail::showPage(int row) { m_pages->button(row)->setChecked(true); }
 
-void NavigationRail::showLink(const LinkView &link)
-{
-    m_link = link;
-    showTile();
-}
-
-void NavigationRail::showBackup(const Word &age) { m_tile->showBackup(age); }
-
-void NavigationRail::showTile()
-{
-    const auto &status = m_state.status().value;
-    m_tile->show(m_link.state == LinkState::Monitoring && status ? summaryWord(*status) : linkSummary(m_link));
-}
+void NavigationRail::showBackup(const widgets::Word &age) { m_stations->showBackup(age); }
 
 void NavigationRail::paintEvent(QPaintEvent *)
 {

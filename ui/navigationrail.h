@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ui/actioncatalog.h"
-#include "ui/linkview.h"
 #include <QWidget>
 
 class QButtonGroup;
@@ -11,23 +10,32 @@ class QMenu;
 class QVBoxLayout;
 
 namespace widgets {
-class ControllerTile;
 struct Word;
 } // namespace widgets
 
+namespace settings {
+struct Profile;
+}
+
+namespace station {
+class Fleet;
+}
+
 namespace ui {
 
-/// At the left: the controller, the pages, and the orders about the connection.
+class StationList;
+
+/// At the left: the controllers, the pages, and the orders about the connection.
 class NavigationRail : public QWidget
 {
     Q_OBJECT
 
 public:
-    NavigationRail(const robot::RobotState &state, const settings::Profile &profile, const Actions &actions,
-        QWidget *parent = nullptr);
+    /// Beside the pages of `shown`. `fleet` must outlive the rail.
+    NavigationRail(
+        const station::Fleet &fleet, const settings::Profile &shown, const Actions &actions, QWidget *parent = nullptr);
 
-    void showLink(const LinkView &link);
-    /// The age of the last backup, on the controller's tile.
+    /// The age of the last backup, on the tile of the controller that is shown.
     void showBackup(const widgets::Word &age);
     /// Marks the page that is in view, by its row of the page catalogue.
     void showPage(int row);
@@ -43,11 +51,8 @@ private:
     void addScroll(QWidget *entries);
     void addPages(QVBoxLayout *column);
     void addActions(QVBoxLayout *column, const Actions &actions);
-    void showTile();
 
-    const robot::RobotState &m_state;
-    LinkView m_link;
-    widgets::ControllerTile *m_tile;
+    StationList *m_stations;
     QButtonGroup *m_pages;
 };
 

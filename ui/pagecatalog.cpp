@@ -5,6 +5,7 @@
 #include "ui/pages/alarmspage.h"
 #include "ui/pages/backuppage.h"
 #include "ui/pages/filespage.h"
+#include "ui/pages/fleetpage.h"
 #include "ui/pages/iopage.h"
 #include "ui/pages/jobspage.h"
 #include "ui/pages/journalpage.h"
@@ -110,6 +111,12 @@ constexpr const char *journalHelp[] {
     QT_TRANSLATE_NOOP("Pages", "Filter by controller, kind, time and outcome, or search in all texts. Older records come when scrolling down."),
     QT_TRANSLATE_NOOP("Pages", "The journal is kept on this computer for all controllers and can be read without a connection. Export writes what the filter shows."),
 };
+constexpr const char *fleetHelp[] {
+    QT_TRANSLATE_NOOP("Pages", "All controllers side by side: those in alarm first, then those without a link and those that are held, then the others in a fixed order."),
+    QT_TRANSLATE_NOOP("Pages", "A click opens a controller’s pages. The others stay connected and are read once a second."),
+    QT_TRANSLATE_NOOP("Pages", "HOLD ALL orders a software hold at every controller that is not off, asks nothing, and says of each whether it was confirmed. It is no emergency stop."),
+    QT_TRANSLATE_NOOP("Pages", "Connect all and Back up all only read. Nothing else goes to several controllers at once."),
+};
 constexpr PageKey ioKeys[] {
     {"Ctrl+G", QT_TRANSLATE_NOOP("Pages", "Go to a signal")},
     {"Return; Space", QT_TRANSLATE_NOOP("Pages", "Write the signal (network inputs)")},
@@ -170,6 +177,7 @@ constexpr PageRow pageRows[] {
     {"backup", QT_TRANSLATE_NOOP("Pages", "Backup"), "backup", "Ctrl+9", create<pages::BackupPage>, backupHelp},
     {"journal", QT_TRANSLATE_NOOP("Pages", "Journal"), "journal", "Ctrl+0", create<pages::JournalPage>, journalHelp,
         journalKeys},
+    {"fleet", QT_TRANSLATE_NOOP("Pages", "Fleet"), "overview", "Ctrl+Shift+F", create<pages::FleetPage>, fleetHelp},
 };
 
 } // namespace

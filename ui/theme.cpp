@@ -113,6 +113,15 @@ QColor color(Role role, Scheme scheme)
 
 QColor color(Role role, const QWidget *widget) { return color(role, schemeOf(widget->palette())); }
 
+QColor tagColor(int tag, Scheme scheme)
+{
+    constexpr QRgb slate = 0xFF66798C;
+    constexpr QRgb sage = 0xFF75896F;
+    constexpr QRgb sand = 0xFF8E7F68;
+    const QColor quiet {tag == 1 ? slate : tag == 2 ? sage : sand};
+    return scheme == Scheme::Light ? quiet : quiet.lighter(115);
+}
+
 Scheme schemeOf(const QPalette &palette)
 {
     return palette.color(QPalette::Window).lightness() < 128 ? Scheme::Dark : Scheme::Light;

@@ -50,6 +50,9 @@ struct Token {
 /// The colour for this widget, which follows the scheme of its palette.
 [[nodiscard]] QColor color(Role role, const QWidget *widget);
 
+/// The bar beside a controller's name: `tag` 1 to 3, dull colours that mean nothing but "this one".
+[[nodiscard]] QColor tagColor(int tag, Scheme scheme);
+
 /// Light or dark, by the lightness of the window colour.
 [[nodiscard]] Scheme schemeOf(const QPalette &palette);
 /// "light" or "dark"; nullopt for another word.

@@ -82,7 +82,8 @@ int run(const Options &options, QApplication &application)
     QObject::connect(
         &rules, &robot::AccessRules::settingsChanged, &rules, [&] { settings::writeAccess(file, rules.settings()); });
     journal::Store journal;
-    ui::MainWindow window {{store, rules, arming, journal}, [&demo] { return demo.start(); }};
+    station::Fleet fleet {{store, rules, arming, journal}};
+    ui::MainWindow window {fleet, [&demo] { return demo.start(); }};
     window.offer(target->value_or(store.find(store.lastUsed()).value_or(settings::Profile {})));
     std::optional<Timings> timings;
     if (options.wantsTimings)

@@ -17,7 +17,7 @@ files::BackupOrder orderFor(const Desk &desk, const QString &root, const Result<
 {
     files::BackupOrder order;
     order.root = root;
-    order.info.controller = desk.call().profile.name;
+    order.info.controller = desk.call().profile.folderName();
     order.info.host = desk.call().profile.host;
     if (system) {
         order.info.model = desk.codec().decode(system->model.bytes());

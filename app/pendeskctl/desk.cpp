@@ -5,6 +5,7 @@
 #include "protocol/codes.h"
 #include "protocol/requests.h"
 #include "robot/policies.h"
+#include "settings/settingsfile.h"
 #include <QHostInfo>
 
 using values::Error;
@@ -13,18 +14,20 @@ using values::Result;
 
 namespace pendeskctl {
 
-namespace {
+/// What the window shares among its stations, for the one of this call.
+struct Desk::Site {
+    explicit Site(const settings::Profile &profile) : station {profile, {store, rules, arming, journal}}
+    {
+        QObject::connect(&journal, &journal::Store::failed, &complain);
+    }
 
-Result<void> mayChange(const Result<values::Status> &status)
-{
-    if (!status)
-        return tl::unexpected(status.error());
-    if (status->data1.testFlag(values::Status::Running))
-        return values::failure(ErrorKind::NotSent, tr("A job is running; files are not changed meanwhile."));
-    return {};
-}
-
-} // namespace
+    settings::SettingsFile file;
+    settings::ProfileStore store {file};
+    robot::AccessRules rules; // without a passcode: nobody is here to be asked
+    robot::Arming arming;
+    journal::Store journal;
+    station::Station station;
+};
 
 Desk::Desk(const Call &call, const QHostAddress &address)
     : m_call {call},
@@ -35,12 +38,45 @@ Desk::Desk(const Call &call, const QHostAddress &address)
 {
 }
 
-files::Guard Desk::guard()
+Desk::~Desk() = default;
+
+station::Station &Desk::station() const { return m_site->station; }
+
+void Desk::identify(const std::function<void()> &next)
 {
-    return [this](QObject *context, const std::function<void(const Result<void> &)> &handler) {
-        m_robot.send(protocol::ReadStatus {}, context,
-            [handler](const Result<values::Status> &status) { handler(mayChange(status)); });
-    };
+    if (m_call.hasModel)
+        return next();
+    m_robot.send(
+        protocol::ReadSystemInformation::robot(1), this, [this, next](const Result<values::SystemInformation> &system) {
+            if (!system && system.error().kind != ErrorKind::Refused)
+                return fail(system.error());
+            const auto model = system ? protocol::modelOfSoftware(system->software.bytes()) : std::nullopt;
+            m_call.profile.model = model.value_or(m_call.profile.model);
+            next();
+        });
+}
+
+void Desk::openStation(const std::function<void()> &next)
+{
+    m_site = std::make_unique<Site>(m_call.profile);
+    station().access.enter(robot::Level::Engineer);
+    robot::Controller &controller = station().controller;
+    connect(&controller, &robot::Controller::troubleChanged, this, [this, &controller] {
+        if (controller.trouble())
+            fail(*controller.trouble());
+    });
+    connect(
+        &controller, &robot::Controller::linkStateChanged, this,
+        [this, &controller, next] {
+            if (controller.linkState() != robot::LinkState::Monitoring)
+                return;
+            controller.disconnect(this);
+            if (m_call.hasNumbering)
+                station().orders.setNumberingVerified(true);
+            next();
+        },
+        Qt::QueuedConnection); // when the station knows it too
+    controller.open();
 }
 
 void Desk::finish(ExitCode code)
@@ -74,8 +110,13 @@ int run(const Call &call, const std::function<void(Desk &)> &begin)
     }
     Desk desk {call, *ipv4};
     QMetaObject::invokeMethod(
-        &desk, [&] { begin(desk); }, Qt::QueuedConnection);
+        &desk, [&] { desk.identify([&] { begin(desk); }); }, Qt::QueuedConnection);
     return QCoreApplication::exec();
+}
+
+int change(const Call &call, const std::function<void(Desk &)> &begin)
+{
+    return run(call, [begin](Desk &desk) { desk.openStation([&desk, begin] { begin(desk); }); });
 }
 
 } // namespace pendeskctl

@@ -51,6 +51,16 @@ bool passes(const FileName &name, const QString &path, const Call &call)
     return files::mayBeSent(findings);
 }
 
+/// Files are not changed while a job runs; ends the program then.
+bool isAtRest(Desk &desk)
+{
+    const auto &status = desk.station().orders.situation().status;
+    if (status && !status->isRunning())
+        return true;
+    desk.fail({values::ErrorKind::NotSent, 0, 0, tr("A job is running; files are not changed meanwhile.")});
+    return false;
+}
+
 int put(const Call &call, const QStringList &paths, bool mayReplace)
 {
     std::map<QString, QString> pathOf; // by the name at the controller
@@ -65,7 +75,9 @@ int put(const Call &call, const QStringList &paths, bool mayReplace)
     }
     if (const auto end = requireYes(call))
         return *end;
-    return run(call, [=](Desk &desk) {
+    return change(call, [=](Desk &desk) {
+        if (!isAtRest(desk))
+            return;
         list(desk, QStringLiteral("*"), [&desk, pathOf, mayReplace](const QStringList &there) {
             QStringList names;
             for (const auto &[name, path] : pathOf)
@@ -77,7 +89,7 @@ int put(const Call &call, const QStringList &paths, bool mayReplace)
                         complain(tr("%1 exists at the controller and is left alone; --replace replaces it.").arg(text));
                         return nullptr;
                     }
-                    return std::make_unique<files::Upload>(desk.files(), name, pathOf.at(text), desk.guard());
+                    return desk.station().fileOrders.upload(name, pathOf.at(text));
                 });
         });
     });
@@ -87,11 +99,12 @@ int rm(const Call &call, const QStringList &words, const QString &folder)
 {
     if (const auto end = requireYes(call))
         return *end;
-    return run(call, [=](Desk &desk) {
+    return change(call, [=](Desk &desk) {
+        if (!isAtRest(desk))
+            return;
         expand(desk, words, {}, [&desk, folder](const QStringList &names) {
-            transfer(desk, names, [&desk, folder](const FileName &name) {
-                return std::make_unique<files::Removal>(desk.files(), name, folder, desk.guard());
-            });
+            transfer(desk, names,
+                [&desk, folder](const FileName &name) { return desk.station().fileOrders.remove(name, folder); });
         });
     });
 }

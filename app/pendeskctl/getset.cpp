@@ -16,10 +16,10 @@ QString registerWord(const QString &word) { return word.startsWith(u'M') ? word 
 
 int getNamed(const Call &call, const QStringList &words)
 {
-    const auto wanted = selectionsFromText(call, words);
-    if (!wanted)
-        return Usage;
-    return run(call, [wanted](Desk &desk) {
+    return run(call, [words](Desk &desk) {
+        const auto wanted = selectionsFromText(desk.call(), words);
+        if (!wanted)
+            return desk.finish(Usage);
         readAll(desk, *wanted, [&desk](const Result<QList<NamedValue>> &values) {
             if (!values)
                 return desk.fail(values.error());

@@ -192,26 +192,6 @@ void read(Desk &desk, const Selection &selection, const ValuesHandler &handler)
     }
 }
 
-template <typename Wire>
-void sendOne(Desk &desk, quint16 instance, const Wire &value, const std::function<void(const Result<void> &)> &handler)
-{
-    desk.robot().send(protocol::WriteItem<Wire> {instance, value}, &desk, handler);
-}
-
-void send(Desk &desk, quint16 instance, const Value &value, const std::function<void(const Result<void> &)> &handler)
-{
-    std::visit(
-        [&]<typename Item>(const Item &item) {
-            if constexpr (std::is_same_v<Item, values::StringVariable32>) {
-                if (desk.dialect().stringSize == 16)
-                    return sendOne(desk, instance,
-                        values::StringVariable16 {values::FixedText<16> {item.value.bytes().first(16)}}, handler);
-            }
-            sendOne(desk, instance, item, handler);
-        },
-        value);
-}
-
 } // namespace
 
 Result<Selection> selectionFromText(const QString &text, const protocol::Dialect &dialect)
@@ -264,20 +244,17 @@ void write(Desk &desk, const variables::Reference &reference, const QString &typ
     const auto value = variables::fromText(reference.kind, typed, formatOf(desk));
     if (!value)
         return handler(tl::unexpected(value.error()));
-    const QString expected = toText(*value, formatOf(desk));
-    const auto compare = [handler, expected](const Result<QList<NamedValue>> &values) {
-        if (!values)
-            return handler(tl::unexpected(values.error()));
-        if (values->first().text != expected)
-            return handler(values::failure(ErrorKind::Malformed, values->first().text));
-        handler(values->first());
-    };
-    send(desk, instanceOf(reference.kind, reference.number, desk.dialect()), *value,
-        [&desk, reference, handler, compare](const Result<void> &done) {
-            if (!done)
-                return handler(tl::unexpected(done.error()));
-            readVariables(desk, {reference.kind, reference.number, reference.number}, compare);
-        });
+    robot::Edits &edits = desk.station().edits;
+    QObject::connect(&edits, &robot::Edits::applied, &desk, [&desk, &edits, reference, value = *value, handler] {
+        const variables::Edit *left = edits.staged().find(reference);
+        if (!left)
+            return handler(named(reference, value, desk));
+        if (left->readBack)
+            return handler(values::failure(ErrorKind::Malformed, toText(*left->readBack, formatOf(desk))));
+        handler(tl::unexpected(left->error.value_or(values::Error {ErrorKind::UnknownOutcome})));
+    });
+    edits.stage(reference, *value);
+    edits.apply();
 }
 
 void print(const Call &call, const QList<NamedValue> &values)

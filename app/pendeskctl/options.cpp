@@ -73,6 +73,7 @@ Result<void> readController(Call &call, const QCommandLineParser &parser)
         call.profile.encoding = *encoding;
     }
     call.hasNumbering = parser.isSet(QStringLiteral("numbering"));
+    call.hasModel = parser.isSet(QStringLiteral("model")) || parser.isSet(QStringLiteral("profile"));
     if (!call.hasNumbering)
         return {};
     const QString numbering = parser.value(QStringLiteral("numbering"));

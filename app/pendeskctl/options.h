@@ -48,6 +48,7 @@ struct Call {
     bool isQuiet = false;
     bool mayWrite = false; ///< --yes
     bool hasNumbering = false; ///< --numbering; it is in the profile.
+    bool hasModel = false; ///< --model or --profile; else the controller is asked for it.
 };
 
 /// What a verb can be told.

@@ -70,7 +70,12 @@ void complainOfRefusals(const Desk &desk, const files::Restore &restore)
 void restore(
     Desk &desk, const files::FileSet &bag, const QList<files::RestoreItem> &plan, const files::BackupOrder &order)
 {
-    auto *restore = new files::Restore {desk.files(), bag, plan, order, desk.guard(), &desk};
+    using robot::Act;
+    station::FileOrders &orders = desk.station().fileOrders;
+    auto *restore =
+        new files::Restore {*desk.station().controller.files(), bag, plan, order, orders.guard(Act::Restore), &desk};
+    QObject::connect(restore, &files::Restore::tried, &desk,
+        [&orders](const files::Upload *upload) { orders.note(*upload, Act::Upload); });
     QObject::connect(restore, &files::Operation::progressed, &desk, [&desk, restore] {
         const auto current = restore->current();
         showProgress(desk.call(),
@@ -134,7 +139,7 @@ void act(Desk &desk, const files::Bag &bag, const QList<files::RestoreItem> &pla
         std::ranges::any_of(plan, [](const auto &item) { return item.step == files::RestoreStep::NotAllowed; });
     if (isDry || !sends)
         return desk.finish(isDry && sends ? Differences : isBlocked ? Partial : Done);
-    restore(desk, bag.files(), plan, order);
+    desk.openStation([&desk, files = bag.files(), plan, order] { restore(desk, files, plan, order); });
 }
 
 /// Reads what matters of the controller, holds both beside each other, then acts.

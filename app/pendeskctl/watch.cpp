@@ -59,10 +59,10 @@ int runWatch(const QStringList &arguments)
         return Usage;
     const int readings = *wantedReadings;
     const std::chrono::milliseconds period {match.captured(1).toInt() * (match.captured(2) == u"s" ? 1000 : 1)};
-    const auto wanted = selectionsFromText(call, call.words);
-    if (!wanted)
-        return Usage;
     return run(call, [=](Desk &desk) {
+        const auto wanted = selectionsFromText(desk.call(), desk.call().words);
+        if (!wanted)
+            return desk.finish(Usage);
         auto *timer = new QTimer {&desk};
         auto left = std::make_shared<int>(readings);
         auto isReading = std::make_shared<bool>(false);

@@ -3,9 +3,7 @@
 #include "writes.h"
 
 #include "named.h"
-#include "protocol/datarequests.h"
-#include "robot/numbering.h"
-#include <memory>
+#include "robot/iowrite.h"
 
 using values::Result;
 
@@ -30,95 +28,90 @@ void writeNow(Desk &desk, const variables::Reference &reference, const QString &
 /// Writes if the controller still is what the profile's numbering was compared with.
 void writeIfVerified(Desk &desk, const variables::Reference &reference, const QString &typed)
 {
-    const protocol::ReadSystemInformation order {robot::topics::systemInformation.number};
-    desk.robot().send(order, &desk, [&desk, reference, typed](const Result<values::SystemInformation> &system) {
-        if (!system)
-            return desk.fail(system.error());
-        if (robot::isNumberingKnown(desk.call().profile, *system))
-            return writeNow(desk, reference, typed);
-        desk.fail({values::ErrorKind::NotSent, 0, 0,
-            tr("The software of the controller is another than that with which the numbering was verified. Verify it "
-               "again, or say --numbering 0 or --numbering 1.")});
-    });
+    const bool isRegister = reference.kind == variables::Kind::M;
+    if (isRegister || desk.station().orders.situation().isNumberingVerified)
+        return writeNow(desk, reference, typed);
+    desk.fail({values::ErrorKind::NotSent, 0, 0,
+        tr("The software of the controller is another than that with which the numbering was verified. Verify it "
+           "again, or say --numbering 0 or --numbering 1.")});
 }
 
-/// Reads the group, changes one bit, writes the group and reads it back: eight signals travel together.
-struct SignalWriter : std::enable_shared_from_this<SignalWriter> {
-    SignalWriter(Desk &someDesk, const Selection &someSelection, bool someValue)
-        : desk {someDesk}, selection {someSelection}, isOn {someValue}
-    {
-    }
-    using Group = values::IoGroup;
+/// Ends the program with what was wrong with the call.
+void refuse(Desk &desk, const QString &sentence) { desk.finish(mistake(sentence)); }
 
-    void begin()
-    {
-        desk.robot().send(protocol::ReadItem<Group> {instance()}, &desk,
-            [self = shared_from_this()](const Result<Group> &group) { self->change(group); });
-    }
-    void change(const Result<Group> &group)
-    {
-        if (!group)
-            return desk.fail(group.error());
-        const Group wanted = group->with(selection.bit, isOn);
-        desk.robot().send(protocol::WriteItem<Group> {instance(), wanted}, &desk,
-            [self = shared_from_this()](const Result<void> &done) {
-                if (!done)
-                    return self->desk.fail(done.error());
-                self->readBack();
-            });
-    }
-    void readBack()
-    {
-        readAll(desk, {selection}, [self = shared_from_this()](const Result<QList<NamedValue>> &values) {
-            if (!values)
-                return self->desk.fail(values.error());
-            print(self->desk.call(), *values);
-            self->desk.finish(values->first().json.toInt() == int(self->isOn) ? Done : VerificationFailed);
-        });
-    }
-    [[nodiscard]] quint16 instance() const { return quint16(selection.first); }
+void setVariableAt(Desk &desk, const QString &word, const QString &typed)
+{
+    const auto reference = variables::referenceFromText(word, askedDialect(desk.call()));
+    if (!reference)
+        return refuse(desk, reference.error().detail);
+    if (variables::isPosition(reference->kind))
+        return refuse(desk, tr("Positions are not written from the command line."));
+    if (reference->number >= writableCountOf(reference->kind, askedDialect(desk.call())))
+        return refuse(desk, tr("%1 cannot be written.").arg(toString(*reference)));
+    const Call &call = desk.call();
+    if (reference->kind != variables::Kind::M && !call.hasNumbering && !call.profile.numberingVerified.isValid())
+        return refuse(desk,
+            tr("Nobody has verified which instance a variable has on this controller. Compare one value with "
+               "the pendant, then say --numbering 0 or --numbering 1."));
+    desk.openStation([&desk, reference, typed] { writeIfVerified(desk, *reference, typed); });
+}
 
-    Desk &desk;
-    Selection selection;
-    bool isOn;
-};
+/// The group is read first, since eight signals travel together; see robot::IoWrite.
+void switchSignal(Desk &desk, const names::Signal &signal, bool isOn)
+{
+    using Step = robot::IoWrite::Step;
+    auto *write = new robot::IoWrite(desk.station().orders, signal, &desk);
+    QObject::connect(write, &robot::IoWrite::changed, &desk, [&desk, write, isOn] {
+        switch (write->step()) {
+        case Step::Reading:
+        case Step::Writing: return;
+        case Step::Ready: return write->isOn() == isOn ? write->write() : write->setOn(isOn); // which leads here again
+        case Step::Changed:
+            return desk.fail({values::ErrorKind::NotSent, 0, 0,
+                tr("Another signal of the group changed meanwhile; nothing was sent.")});
+        case Step::Done:
+        case Step::Mismatch: {
+            const int now = int(write->readBack()->isOn(write->signal().bit));
+            print(desk.call(), {{toString(write->signal()), QString::number(now), now}});
+            return desk.finish(write->step() == Step::Done ? Done : VerificationFailed);
+        }
+        case Step::Refused:
+        case Step::Unknown:
+        case Step::Failed: return desk.fail(write->error());
+        }
+    });
+    write->read();
+}
+
+void setSignalAt(Desk &desk, const QString &word, const QString &typed)
+{
+    const auto selection = selectionFromText(word, desk.dialect());
+    if (!selection)
+        return refuse(desk, selection.error().detail);
+    if (selection->what != Selection::What::Signal)
+        return refuse(desk, tr("io set takes one signal, such as 27010, and 0 or 1."));
+    if (desk.dialect().ioArea(quint32(selection->first)) != protocol::IoArea::NetworkInput)
+        return refuse(desk, tr("%1 cannot be written: HSES writes network inputs alone.").arg(word));
+    const names::Signal signal {selection->first, selection->bit};
+    desk.openStation([&desk, signal, isOn = typed == u"1"] { switchSignal(desk, signal, isOn); });
+}
 
 } // namespace
 
 int setVariable(const Call &call, const QString &word, const QString &typed)
 {
-    const auto reference = variables::referenceFromText(word, askedDialect(call));
-    if (!reference)
-        return mistake(reference.error().detail);
-    if (variables::isPosition(reference->kind))
-        return mistake(tr("Positions are not written from the command line."));
-    if (reference->number >= writableCountOf(reference->kind, askedDialect(call)))
-        return mistake(tr("%1 cannot be written.").arg(toString(*reference)));
-    const bool isToldNumbering = reference->kind == variables::Kind::M || call.hasNumbering;
-    if (!isToldNumbering && !call.profile.numberingVerified.isValid())
-        return mistake(
-            tr("Nobody has verified which instance a variable has on this controller. Compare one value with "
-               "the pendant, then say --numbering 0 or --numbering 1."));
     if (const auto end = requireYes(call))
         return *end;
-    return run(call, [=](Desk &desk) {
-        isToldNumbering ? writeNow(desk, *reference, typed) : writeIfVerified(desk, *reference, typed);
-    });
+    return run(call, [word, typed](Desk &desk) { setVariableAt(desk, word, typed); });
 }
 
 int setSignal(const Call &call, const QString &word, const QString &typed)
 {
-    const auto selection = selectionFromText(word, call.profile.dialect());
-    if (!selection)
-        return mistake(selection.error().detail);
-    if (selection->what != Selection::What::Signal || (typed != u"0" && typed != u"1"))
+    if (typed != u"0" && typed != u"1")
         return mistake(tr("io set takes one signal, such as 27010, and 0 or 1."));
-    if (call.profile.dialect().ioArea(quint32(selection->first)) != protocol::IoArea::NetworkInput)
-        return mistake(tr("%1 cannot be written: HSES writes network inputs alone.").arg(word));
     if (const auto end = requireYes(call))
         return *end;
-    return run(call,
-        [selection, typed](Desk &desk) { std::make_shared<SignalWriter>(desk, *selection, typed == u"1")->begin(); });
+    return run(call, [word, typed](Desk &desk) { setSignalAt(desk, word, typed); });
 }
 
 } // namespace pendeskctl

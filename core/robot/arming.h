@@ -29,6 +29,7 @@ public:
         Disconnected, ///< The connection was closed, or opened anew with other settings.
         LanguageChanged, ///< The window was made anew.
         SecondWindow,
+        StationLeft, ///< The window shows another controller.
         OtherController, ///< Another one was armed.
     };
     static constexpr Milliseconds idleLimit {60'000};

@@ -84,6 +84,14 @@ void Controller::setNumbering(protocol::Numbering numbering, const QDateTime &ve
         open();
 }
 
+void Controller::setPace(Pace pace)
+{
+    if (pace == m_state->pace())
+        return;
+    m_poller->setPace(pace);
+    m_lastStatus = now(); // it was not asked so often before: silence says nothing
+}
+
 void Controller::open()
 {
     if (m_linkState != LinkState::Disconnected)
@@ -187,7 +195,8 @@ void Controller::onStatusAnswered()
 void Controller::watch()
 {
     const Time at = now();
-    const auto miss = std::max(m_profile.readTimeout, period(Kind::Status)); // nobody is late before the slot
+    const auto miss =
+        std::max(m_profile.readTimeout, period(Kind::Status, m_state->pace())); // nobody is late before the slot
     if (m_linkState == LinkState::Monitoring && at - m_lastStatus > statusMissesUntilLost * miss) {
         ++m_timesLost;
         m_isIdentified = false; // another controller may answer next

@@ -63,6 +63,9 @@ public:
     /// begins anew.
     void setNumbering(protocol::Numbering numbering, const QDateTime &verified, const QString &software);
 
+    /// How closely it is followed from now on.
+    void setPace(Pace pace);
+
     /// Begins checking. Nothing but reads is sent, now and whenever the link comes back.
     void open();
     /// Ends the link and forgets what was read.

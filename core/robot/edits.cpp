@@ -50,6 +50,13 @@ void Edits::discard(const Reference &variable)
     Q_EMIT changed();
 }
 
+void Edits::discard(const QList<Reference> &variables)
+{
+    for (const Reference &variable : variables)
+        m_staged.discard(variable);
+    Q_EMIT changed();
+}
+
 void Edits::clear()
 {
     m_staged.clear();
@@ -64,12 +71,19 @@ void Edits::undo()
 
 void Edits::apply()
 {
-    if (m_isApplying || m_staged.isEmpty())
+    QList<Reference> all;
+    for (const Edit &edit : m_staged.toApply())
+        all << edit.variable;
+    apply(all);
+}
+
+void Edits::apply(const QList<Reference> &variables)
+{
+    if (m_isApplying || std::ranges::none_of(variables, [this](const auto &one) { return m_staged.find(one); }))
         return;
     m_isApplying = true;
     m_staged.beginBatch();
-    for (const Edit &edit : m_staged.toApply())
-        m_left += edit.variable;
+    m_left = variables;
     writeNext();
 }
 

@@ -29,11 +29,14 @@ public:
     void stage(const variables::Reference &variable, const variables::Value &value);
     void stage(const QList<variables::Difference> &differences);
     void discard(const variables::Reference &variable);
+    void discard(const QList<variables::Reference> &variables);
     void clear();
     /// Stages what was there before the last apply(). It is not sent before it is applied.
     void undo();
 
-    /// Writes everything that is staged now, and what failed before. Does nothing while it is still at it.
+    /// Writes what of these is staged now, or failed before. Does nothing while it is still at it.
+    void apply(const QList<variables::Reference> &variables);
+    /// Writes everything that is staged.
     void apply();
 
 Q_SIGNALS:

@@ -115,6 +115,14 @@ void Poller::readNow(Topic topic)
     wake();
 }
 
+void Poller::setPace(Pace pace)
+{
+    m_state.setPace(pace);
+    for (auto &[read, slot] : m_plan)
+        slot.due = {};
+    wake();
+}
+
 void Poller::setProbing(bool probing)
 {
     m_isProbing = probing;
@@ -197,7 +205,8 @@ void Poller::poll()
     for (auto &[read, slot] : m_plan) {
         if (slot.due > at || isDone(read, slot))
             continue;
-        auto pace = period(read.range.kind) > 0ms ? period(read.range.kind) : patience;
+        const auto usual = period(read.range.kind, m_state.pace());
+        auto pace = usual > 0ms ? usual : patience;
         if (m_refused.contains({read.range.kind, read.range.first}))
             pace = refusedPause;
         slot.due = slot.due + pace > at ? slot.due + pace : at + pace;

@@ -43,6 +43,8 @@ public:
     void stop();
     /// Reads a topic that somebody wants without waiting for its slot, unless it is being read.
     void readNow(Topic topic);
+    /// From the next slot on; faster at once.
+    void setPace(Pace pace);
     /// Tells the state what was read in another way, such as the read back after a write.
     template <Kind kind> void note(int number, const ValueOf<kind> &value)
     {

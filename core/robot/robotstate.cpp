@@ -63,7 +63,7 @@ void RobotState::refuse(const TopicRange &range, const values::Error &error, Tim
         for (int number = range.first; number <= range.last; ++number) {
             auto &entry = shelf[quint16(number)];
             entry.reading.refuse(error);
-            entry.freshness = entry.reading.freshness(now, period(range.kind), m_isLinkUp);
+            entry.freshness = entry.reading.freshness(now, period(range.kind, m_pace), m_isLinkUp);
         }
     });
     Q_EMIT changed(range);
@@ -75,7 +75,7 @@ void RobotState::tick(Time now)
     forEachShelf([&](Kind kind, auto &shelf) {
         Ranges aged {kind};
         for (auto &[number, entry] : shelf) {
-            const Freshness fresh = entry.reading.freshness(now, period(kind), m_isLinkUp);
+            const Freshness fresh = entry.reading.freshness(now, period(kind, m_pace), m_isLinkUp);
             if (std::exchange(entry.freshness, fresh) != fresh)
                 aged.add(number);
         }

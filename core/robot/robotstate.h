@@ -73,6 +73,9 @@ public:
     void tick(Time now);
     /// While the link is down every value is stale at once.
     void setLinkUp(bool up, Time now);
+    /// How often values come, and so when one is old.
+    void setPace(Pace pace) { m_pace = pace; }
+    [[nodiscard]] Pace pace() const { return m_pace; }
     /// Forgets everything: another controller, or none.
     void clear();
 
@@ -96,11 +99,12 @@ private:
     {
         auto &entry = std::get<std::size_t(kind)>(m_shelves)[number];
         entry.reading.take(value, now);
-        entry.freshness = entry.reading.freshness(now, period(kind), m_isLinkUp);
+        entry.freshness = entry.reading.freshness(now, period(kind, m_pace), m_isLinkUp);
     }
 
     Shelves m_shelves;
     bool m_isLinkUp = false;
+    Pace m_pace = Pace::Watched;
 };
 
 } // namespace robot

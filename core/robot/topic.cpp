@@ -6,7 +6,9 @@ using namespace std::chrono_literals;
 
 namespace robot {
 
-Milliseconds period(Kind kind)
+namespace {
+
+Milliseconds watchedPeriod(Kind kind)
 {
     switch (kind) {
     case Kind::Status:
@@ -32,6 +34,16 @@ Milliseconds period(Kind kind)
     case Kind::ExternalPosition: break;
     }
     return 500ms;
+}
+
+} // namespace
+
+Milliseconds period(Kind kind, Pace pace)
+{
+    const Milliseconds watched = watchedPeriod(kind);
+    if (pace == Pace::Watched || watched == 0ms)
+        return watched;
+    return kind == Kind::Alarm ? 10s : std::max<Milliseconds>(watched, 1s);
 }
 
 } // namespace robot

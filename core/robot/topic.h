@@ -106,8 +106,14 @@ template <> struct KindTraits<Kind::ExternalPosition> {
 };
 template <Kind kind> using ValueOf = typename KindTraits<kind>::Value;
 
+/// How closely a controller is followed.
+enum class Pace {
+    Watched, ///< Each kind at its own period.
+    Background, ///< Nobody looks at its pages: once a second at most, and alarms when the status tells of a change.
+};
+
 /// How often a topic is read while something wants it; 0: once for each link.
-[[nodiscard]] Milliseconds period(Kind kind);
+[[nodiscard]] Milliseconds period(Kind kind, Pace pace = Pace::Watched);
 
 /// One thing to be read.
 struct Topic {

@@ -55,4 +55,9 @@ void note(Poller &poller, const Reference &variable, const variables::Value &val
         note(poller, variable.number, value, std::make_index_sequence<kinds.size()> {});
 }
 
+variables::Format formatOf(const settings::Profile &profile)
+{
+    return {QLocale(), protocol::TextCodec {profile.encoding}, profile.dialect().stringSize, variables::Base::Decimal};
+}
+
 } // namespace robot

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "robot/poller.h"
-#include "variables/value.h"
+#include "settings/profile.h"
+#include "variables/text.h"
 
 namespace robot {
 
@@ -20,6 +21,9 @@ struct VariableReading {
 [[nodiscard]] std::optional<variables::Kind> variableKindOf(Kind kind);
 
 [[nodiscard]] VariableReading readingOf(const RobotState &state, const variables::Reference &variable);
+
+/// How the values of a controller are written for its people.
+[[nodiscard]] variables::Format formatOf(const settings::Profile &profile);
 
 /// Tells the state what was read of a variable in another way, such as the read back after a write.
 void note(Poller &poller, const variables::Reference &variable, const variables::Value &value);

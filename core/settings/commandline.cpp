@@ -50,6 +50,17 @@ Result<void> readTimeout(const QCommandLineParser &parser, std::chrono::millisec
     return {};
 }
 
+Result<void> readModel(const QCommandLineParser &parser, protocol::Model &model)
+{
+    if (!parser.isSet(QStringLiteral("model")))
+        return {};
+    const auto *dialect = protocol::findDialect(parser.value(QStringLiteral("model")));
+    if (!dialect)
+        return values::badInput(Texts::tr("--model must be dx100, dx200, fs100, yrc1000 or yrc1000micro."));
+    model = dialect->model;
+    return {};
+}
+
 Result<Profile> storedOrNew(const QCommandLineParser &parser, const ProfileStore &store)
 {
     if (!parser.isSet(QStringLiteral("profile")))
@@ -71,6 +82,7 @@ void addConnectionOptions(QCommandLineParser &parser)
     add("port", Texts::tr("Its port for robot control, 10040 unless told otherwise."), "N");
     add("file-port", Texts::tr("Its port for file control, 10041 unless told otherwise."), "N");
     add("profile", Texts::tr("Connect to the controller that is stored under this name."), "NAME");
+    add("model", Texts::tr("Its model: dx100, dx200, fs100, yrc1000 or yrc1000micro."), "M");
     add("timeout", Texts::tr("How long to wait for one try of a read: 300ms, 1s."), "TIME");
 }
 
@@ -90,7 +102,7 @@ Result<std::optional<Profile>> namedController(const QCommandLineParser &parser,
 {
     const bool isNamed = parser.isSet(QStringLiteral("host")) || parser.isSet(QStringLiteral("profile"));
     if (!isNamed) {
-        for (const char *option : {"port", "file-port", "timeout"}) {
+        for (const char *option : {"port", "file-port", "model", "timeout"}) {
             if (parser.isSet(QLatin1String(option)))
                 return values::badInput(Texts::tr("--%1 needs --host or --profile.").arg(QLatin1String(option)));
         }
@@ -106,6 +118,7 @@ Result<std::optional<Profile>> namedController(const QCommandLineParser &parser,
         profile->name = profile->host;
     const auto read = readPort(parser, QStringLiteral("port"), profile->port)
                           .and_then([&] { return readPort(parser, QStringLiteral("file-port"), profile->filePort); })
+                          .and_then([&] { return readModel(parser, profile->model); })
                           .and_then([&] { return readTimeout(parser, profile->readTimeout); });
     if (!read)
         return tl::unexpected(read.error());

@@ -8,7 +8,8 @@
 #include "protocol/text.h"
 #include "values/position.h"
 #include <QDateTime>
-#include <QString>
+#include <QStringList>
+#include <QUuid>
 #include <array>
 #include <chrono>
 #include <map>
@@ -17,7 +18,11 @@ namespace settings {
 
 /// Everything Pendesk must be told about one controller.
 struct Profile {
+    QUuid id; ///< Never shown, never changed: what is kept about the controller goes by it. Null: nobody stored it yet.
     QString name; ///< Shown everywhere; unique among the profiles.
+    QString folder; ///< Its folders at this computer, see folderName().
+    QStringList formerNames; ///< Older entries of the journal go by them.
+    int tag = 0; ///< The colour of the bar beside the name, 1 to 3; 0 for none.
     QString host; ///< Name or IPv4 address.
     quint16 port = protocol::robotPort; ///< UDP, robot control.
     quint16 filePort = protocol::filePort; ///< UDP, file control.
@@ -39,6 +44,11 @@ struct Profile {
     bool isSimulation = false; ///< The embedded virtual controller: the window says SIMULATION.
 
     bool operator==(const Profile &) const = default;
+
+    /// The name of its folders of backups and incidents: the first name it had here, so that renaming moves no files.
+    [[nodiscard]] QString folderName() const { return folder.isEmpty() ? name : folder; }
+    /// All names it has had, the present one first.
+    [[nodiscard]] QStringList names() const { return QStringList {name} + formerNames; }
 
     /// The model's dialect, with this controller's numbering.
     [[nodiscard]] protocol::Dialect dialect() const

@@ -18,12 +18,16 @@ QString tr(const char *text) { return QCoreApplication::translate("settings::Pro
 
 QString encoded(const QString &name) { return QString::fromLatin1(name.toUtf8().toPercentEncoding()); }
 
-QString keyOf(const QString &name) { return QStringLiteral("profiles/") + encoded(name); }
+QString profileKey(const QString &key) { return QStringLiteral("profiles/") + key; }
 
 /// What the program itself remembers of a profile; it is not exported with it.
-QString memoryOf(const QString &name) { return QStringLiteral("connections/") + encoded(name); }
-QString connectedKey(const QString &name) { return memoryOf(name) + QStringLiteral("/connected"); }
-QString readinessKey(const QString &name) { return memoryOf(name) + QStringLiteral("/readinessSeen"); }
+QString memoryOf(const QString &key) { return QStringLiteral("connections/") + key; }
+QString connectedKey(const QString &key) { return memoryOf(key) + QStringLiteral("/connected"); }
+QString readinessKey(const QString &key) { return memoryOf(key) + QStringLiteral("/readinessSeen"); }
+
+const QString idKey = QStringLiteral("id");
+const QString folderKey = QStringLiteral("folder");
+const QString formerNamesKey = QStringLiteral("formerNames");
 
 /// The numbers of a profile: JSON key, label, range, and where they live. Reader, writer and checker go through this
 /// list.
@@ -138,6 +142,14 @@ QJsonObject toJson(const Profile &profile)
         {QStringLiteral("model"), QLatin1StringView(protocol::dialect(profile.model).key)},
         {QStringLiteral("encoding"), QLatin1StringView(protocol::encodingKey(profile.encoding))},
         {QStringLiteral("numbering"), int(profile.numbering)}};
+    if (!profile.id.isNull())
+        json[idKey] = profile.id.toString(QUuid::WithoutBraces);
+    if (!profile.folder.isEmpty())
+        json[folderKey] = profile.folder;
+    if (!profile.formerNames.isEmpty())
+        json[formerNamesKey] = QJsonArray::fromStringList(profile.formerNames);
+    if (profile.tag != 0)
+        json[QStringLiteral("tag")] = profile.tag;
     if (profile.numberingVerified.isValid()) {
         json[QLatin1StringView(verifiedKey)] = profile.numberingVerified.toUTC().toString(Qt::ISODate);
         json[QLatin1StringView(softwareKey)] = profile.numberingSoftware;
@@ -158,6 +170,11 @@ values::Result<Profile> profileFromJson(const QJsonObject &json)
     Profile profile;
     profile.name = json.value(u"name").toString();
     profile.host = json.value(u"host").toString();
+    profile.id = QUuid::fromString(json.value(idKey).toString());
+    profile.folder = json.value(folderKey).toString();
+    for (const QJsonValue name : json.value(formerNamesKey).toArray())
+        profile.formerNames << name.toString();
+    profile.tag = std::clamp(json.value(u"tag").toInt(), 0, 3);
     const QString model = json.value(u"model").toString();
     if (const auto *dialect = protocol::findDialect(model))
         profile.model = dialect->model;
@@ -211,7 +228,43 @@ QString complaint(const Profile &profile)
     return trouble;
 }
 
-ProfileStore::ProfileStore(SettingsFile &settings) : m_settings {settings} { }
+ProfileStore::ProfileStore(SettingsFile &settings) : m_settings {settings}
+{
+    for (const QString &key : m_settings.keys(QStringLiteral("profiles"))) {
+        if (QUuid::fromString(key).isNull())
+            takeOver(key);
+    }
+}
+
+/// A profile that goes by its name gets an id; its folders keep that name.
+void ProfileStore::takeOver(const QString &key)
+{
+    QJsonObject json = m_settings.value(profileKey(key)).toObject();
+    const auto profile = profileFromJson(json);
+    if (!profile)
+        return; // it cannot be read and is left alone
+    // The same whichever program comes first.
+    static constexpr QUuid space {0x7c1be3a4, 0x9d21, 0x4f0a, 0x8b, 0x5e, 0x1f, 0x62, 0xd3, 0x90, 0x4a, 0xc7};
+    const QString id = QUuid::createUuidV5(space, key).toString(QUuid::WithoutBraces);
+    json[idKey] = id;
+    json[folderKey] = profile->name;
+    m_settings.setValue(profileKey(id), json);
+    m_settings.remove(profileKey(key));
+    move(QStringLiteral("notes/") + key, QStringLiteral("notes/") + id);
+    move(memoryOf(key), memoryOf(id));
+}
+
+void ProfileStore::move(const QString &from, const QString &to)
+{
+    for (const QString &key : m_settings.keys(from))
+        m_settings.setValue(to + u'/' + key, m_settings.value(from + u'/' + key));
+    m_settings.remove(from);
+}
+
+QString ProfileStore::keyOf(const Profile &profile)
+{
+    return profile.id.isNull() ? profile.name : profile.id.toString(QUuid::WithoutBraces);
+}
 
 QList<Profile> ProfileStore::profiles() const
 {
@@ -234,23 +287,97 @@ std::optional<Profile> ProfileStore::find(const QString &name) const
     return std::nullopt;
 }
 
-void ProfileStore::save(const Profile &profile) { m_settings.setValue(keyOf(profile.name), toJson(profile)); }
+Notes ProfileStore::notes(const QString &name) const
+{
+    const auto profile = find(name);
+    return {m_settings, profile ? keyOf(*profile) : name};
+}
+
+std::optional<Profile> ProfileStore::find(const QUuid &id) const
+{
+    for (const Profile &profile : profiles()) {
+        if (profile.id == id)
+            return profile;
+    }
+    return std::nullopt;
+}
+
+Profile ProfileStore::save(const Profile &profile)
+{
+    Profile saved = profile;
+    const auto known = profile.id.isNull() ? find(profile.name) : find(profile.id);
+    if (known) {
+        saved.id = known->id;
+        saved.folder = known->folderName();
+        saved.formerNames = known->formerNames;
+        saved.formerNames.removeAll(saved.name);
+        if (known->name != saved.name)
+            saved.formerNames.prepend(known->name);
+    } else {
+        saved.id = profile.id.isNull() ? QUuid::createUuid() : profile.id;
+        saved.folder = freeFolder(profile);
+    }
+    m_settings.setValue(profileKey(keyOf(saved)), toJson(saved));
+    return saved;
+}
+
+/// A name that no other controller's folders have; the controller's own where nobody has it.
+QString ProfileStore::freeFolder(const Profile &profile) const
+{
+    const QString wish = profile.folderName();
+    QString folder = wish;
+    const auto all = profiles();
+    const auto isTaken = [&] {
+        return std::ranges::any_of(all, [&](const Profile &one) { return one.folderName() == folder; });
+    };
+    for (int count = 2; isTaken(); ++count)
+        folder = QStringLiteral("%1 (%2)").arg(wish).arg(count);
+    return folder;
+}
 
 void ProfileStore::remove(const QString &name)
 {
-    m_settings.remove(keyOf(name));
-    m_settings.remove(memoryOf(name));
+    if (const auto profile = find(name)) {
+        m_settings.remove(profileKey(keyOf(*profile)));
+        m_settings.remove(memoryOf(keyOf(*profile)));
+    }
 }
 
-QString ProfileStore::lastUsed() const { return m_settings.value(QStringLiteral("lastProfile")).toString(); }
+/// An id, or the name that was kept by earlier versions.
+QString ProfileStore::lastUsed() const
+{
+    const QString kept = m_settings.value(QStringLiteral("lastProfile")).toString();
+    const auto profile = find(QUuid::fromString(kept));
+    return profile ? profile->name : kept;
+}
 
-void ProfileStore::setLastUsed(const QString &name) { m_settings.setValue(QStringLiteral("lastProfile"), name); }
+void ProfileStore::setLastUsed(const QString &name)
+{
+    const auto profile = find(name);
+    m_settings.setValue(QStringLiteral("lastProfile"), profile ? keyOf(*profile) : name);
+}
+
+QList<QUuid> ProfileStore::openStations() const
+{
+    QList<QUuid> ids;
+    for (const QJsonValue id : m_settings.value(QStringLiteral("window/openStations")).toArray())
+        ids << QUuid::fromString(id.toString());
+    return ids;
+}
+
+void ProfileStore::setOpenStations(const QList<QUuid> &ids)
+{
+    QJsonArray list;
+    for (const QUuid &id : ids)
+        list << id.toString(QUuid::WithoutBraces);
+    m_settings.setValue(QStringLiteral("window/openStations"), list);
+}
 
 QList<RecentProfile> ProfileStore::recent(int most) const
 {
     QList<RecentProfile> found;
     for (const Profile &profile : profiles()) {
-        const QString at = m_settings.value(connectedKey(profile.name)).toString();
+        const QString at = m_settings.value(connectedKey(keyOf(profile))).toString();
         found << RecentProfile {profile, QDateTime::fromString(at, Qt::ISODateWithMs)};
     }
     const auto isNewer = [](const RecentProfile &a, const RecentProfile &b) {
@@ -262,13 +389,21 @@ QList<RecentProfile> ProfileStore::recent(int most) const
 
 void ProfileStore::noteConnected(const QString &name, const QDateTime &at)
 {
-    if (find(name))
-        m_settings.setValue(connectedKey(name), at.toUTC().toString(Qt::ISODateWithMs));
+    if (const auto profile = find(name))
+        m_settings.setValue(connectedKey(keyOf(*profile)), at.toUTC().toString(Qt::ISODateWithMs));
 }
 
-bool ProfileStore::isReadinessSeen(const QString &name) const { return m_settings.value(readinessKey(name)).toBool(); }
+bool ProfileStore::isReadinessSeen(const QString &name) const
+{
+    const auto profile = find(name);
+    return profile && m_settings.value(readinessKey(keyOf(*profile))).toBool();
+}
 
-void ProfileStore::setReadinessSeen(const QString &name) { m_settings.setValue(readinessKey(name), true); }
+void ProfileStore::setReadinessSeen(const QString &name)
+{
+    if (const auto profile = find(name))
+        m_settings.setValue(readinessKey(keyOf(*profile)), true);
+}
 
 QStringList ProfileStore::pagesInWindows() const
 {

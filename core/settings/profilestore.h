@@ -31,14 +31,17 @@ struct RecentProfile {
 class ProfileStore
 {
 public:
-    /// `settings` must outlive the store.
+    /// `settings` must outlive the store. Profiles, notes and memories that still go by a name get an id, and lose
+    /// nothing by it.
     explicit ProfileStore(SettingsFile &settings);
 
     /// In the order of their names; an entry that cannot be read is left out and left alone.
     [[nodiscard]] QList<Profile> profiles() const;
     [[nodiscard]] std::optional<Profile> find(const QString &name) const;
-    /// Adds the profile, or replaces the one of the same name.
-    void save(const Profile &profile);
+    [[nodiscard]] std::optional<Profile> find(const QUuid &id) const;
+    /// Replaces the profile of the same id, or of the same name if it has none, else adds it. Another name is a change
+    /// of label and nothing more: the name before is remembered. What was saved, with its id.
+    Profile save(const Profile &profile);
     void remove(const QString &name);
 
     /// The profile that was connected last; empty if none.
@@ -60,10 +63,21 @@ public:
     [[nodiscard]] Appearance appearance() const;
     void setAppearance(const Appearance &appearance);
 
-    /// What people keep about the controller of that name.
-    [[nodiscard]] Notes notes(const QString &name) const { return {m_settings, name}; }
+    /// Ids of the stations that were open; they are opened again after a restart if somebody wants that.
+    [[nodiscard]] QList<QUuid> openStations() const;
+    void setOpenStations(const QList<QUuid> &ids);
+
+    /// What people keep about that controller.
+    [[nodiscard]] Notes notes(const Profile &profile) const { return {m_settings, keyOf(profile)}; }
+    [[nodiscard]] Notes notes(const QString &name) const;
 
 private:
+    /// What is kept about a profile goes by it: its id, or the name of one that was never stored.
+    [[nodiscard]] static QString keyOf(const Profile &profile);
+    [[nodiscard]] QString freeFolder(const Profile &profile) const;
+    void takeOver(const QString &key);
+    void move(const QString &from, const QString &to);
+
     SettingsFile &m_settings;
 };
 

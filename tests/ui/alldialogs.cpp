@@ -32,7 +32,7 @@ QDialog *applyDialog(Harness &harness)
 {
     auto *edits = new robot::Edits(harness.window.view().orders(), {}, &harness.window);
     edits->stage({variables::Kind::B, 3}, values::ByteVariable {7});
-    return new dialogs::ApplyDialog(*edits, harness.profile().name, {}, &harness.window);
+    return new dialogs::ApplyDialog(*edits, {{variables::Kind::B, 3}}, harness.profile().name, {}, &harness.window);
 }
 
 QDialog *importDialog(Harness &harness)

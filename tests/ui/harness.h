@@ -20,7 +20,7 @@ public:
     Harness()
         : file {folder.filePath(QStringLiteral("settings.json"))},
           store {file},
-          window {{store, rules, arming, journal}, [this] { return startController(); }}
+          window {fleet, [this] { return startController(); }}
     {
         window.resize(1440, 900); // the screen that is not there is smaller
     }
@@ -63,6 +63,13 @@ public:
         window.connectTo(profile());
         return QTest::qWaitFor([this] { return isAllLive(); });
     }
+    /// As after a restart of the program: nothing is left of the station but what is kept on the disk.
+    void connectAnew()
+    {
+        window.controller().close();
+        window.offer({});
+        window.connectTo(profile());
+    }
     [[nodiscard]] bool isAllLive() const
     {
         for (const robot::Topic topic : robot::topics::overview) {
@@ -100,6 +107,7 @@ public:
     std::chrono::milliseconds readTimeout {500}; ///< Of the profile; patient with a busy computer.
     std::chrono::milliseconds servoTimeout {8000};
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
+    station::Fleet fleet {{store, rules, arming, journal}};
     quint16 port = 0;
     quint16 filePort = 0;
     std::unique_ptr<virtualcontroller::Server> server;

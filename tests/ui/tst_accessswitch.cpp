@@ -121,9 +121,9 @@ private Q_SLOTS:
         QVERIFY(harness.window.view().orders().lastDrop()->reason == Arming::Drop::ByHand);
         QVERIFY(harness.window.view().orders().arm());
         QSignalSpy dropped {&harness.arming, &Arming::dropped};
-        harness.window.connectTo(harness.profile());
+        harness.window.offer({});
         QCOMPARE(dropped.count(), 1);
-        QVERIFY(dropped.constFirst().at(1).value<Arming::Drop>() == Arming::Drop::Disconnected);
+        QVERIFY(dropped.constFirst().at(1).value<Arming::Drop>() == Arming::Drop::StationLeft);
     }
 
     void anotherControllerBeginsInMonitor()
@@ -142,6 +142,9 @@ private Q_SLOTS:
             QStringLiteral("Level: Monitor"));
         QVERIFY(!harness.arming.isArmed());
         QVERIFY(!harness.window.view().orders().lastDrop()); // this one never was armed
+        harness.window.connectTo(harness.profile());
+        QVERIFY(harness.access().level() == Level::Monitor); // nor is a level kept for whoever comes back
+        QVERIFY(harness.window.view().orders().lastDrop()->reason == Arming::Drop::StationLeft);
     }
 
     void theReasonOfDisarmingIsTheTrueOne_data()

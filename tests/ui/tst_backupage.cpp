@@ -4,7 +4,7 @@
 #include "ui/backupage.h"
 
 #include "core/files/bagmaker.h"
-#include "ui/pages/files/backupchoices.h"
+#include "station/backupchoices.h"
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -56,10 +56,10 @@ void TestBackupAge::looksForTheNewestCompleteOne()
     const QTemporaryDir folder;
     settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     const settings::Notes notes {file, QStringLiteral("CELL 4")};
-    pages::writeBackupChoices(notes, {folder.path(), {3, 30}});
-    QCOMPARE(pages::readBackupChoices(notes).folder, folder.path());
-    QCOMPARE(pages::readBackupChoices(notes).retention.count, 3);
-    QCOMPARE(pages::readBackupChoices(notes).retention.days, 30);
+    station::writeBackupChoices(notes, {folder.path(), {3, 30}});
+    QCOMPARE(station::readBackupChoices(notes).folder, folder.path());
+    QCOMPARE(station::readBackupChoices(notes).retention.count, 3);
+    QCOMPARE(station::readBackupChoices(notes).retention.days, 30);
     BackupAge age {QStringLiteral("CELL 4"), notes};
     QSignalSpy told {&age, &BackupAge::told};
     QVERIFY(told.wait());

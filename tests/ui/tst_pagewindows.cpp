@@ -84,7 +84,7 @@ void TestPageWindows::windowsComeBackWithTheNextStart()
     Harness harness;
     QVERIFY(harness.connectLive());
     harness.window.view().openInWindow(second());
-    harness.window.connectTo(harness.profile());
+    harness.connectAnew();
     QCOMPARE(harness.window.view().pagesInWindows(), QStringList(second()));
 }
 

@@ -15,16 +15,17 @@ namespace dialogs {
 
 namespace {
 
-QStandardItemModel *modelOf(const robot::Edits &edits, const variables::Format &format, QObject *parent)
+QStandardItemModel *modelOf(const robot::Edits &edits, const QList<variables::Reference> &variables,
+    const variables::Format &format, QObject *parent)
 {
     auto *model = new QStandardItemModel(0, 3, parent);
     model->setHorizontalHeaderLabels(
         {ApplyDialog::tr("Variable"), ApplyDialog::tr("Old value"), ApplyDialog::tr("New value")});
-    for (const auto &edit : edits.staged().toApply()) {
-        const auto now = edits.now(edit.variable);
+    for (const auto &variable : variables) {
+        const auto now = edits.now(variable);
         const QString was = now ? toText(*now, format) : widgets::dash();
         QList<QStandardItem *> row;
-        for (const QString &text : {toString(edit.variable), was, toText(edit.value, format)})
+        for (const QString &text : {toString(variable), was, toText(edits.staged().find(variable)->value, format)})
             row << new QStandardItem(text);
         row.last()->setData(true, widgets::BoldRole);
         model->appendRow(row);
@@ -34,8 +35,8 @@ QStandardItemModel *modelOf(const robot::Edits &edits, const variables::Format &
 
 } // namespace
 
-ApplyDialog::ApplyDialog(
-    robot::Edits &edits, const QString &controller, const variables::Format &format, QWidget *parent)
+ApplyDialog::ApplyDialog(robot::Edits &edits, const QList<variables::Reference> &list, const QString &controller,
+    const variables::Format &format, QWidget *parent)
     : QDialog(parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -43,14 +44,13 @@ ApplyDialog::ApplyDialog(
     setObjectName(QStringLiteral("applyDialog"));
     new widgets::FitWindow(this);
     setWindowTitle(tr("Apply — %1").arg(controller));
-    const auto list = edits.staged().toApply();
     const bool hasPositions =
-        std::ranges::any_of(list, [](const variables::Edit &edit) { return isPosition(edit.variable.kind); });
+        std::ranges::any_of(list, [](const variables::Reference &variable) { return isPosition(variable.kind); });
     resize(hasPositions ? 1230 : 560, 420);
     auto *table = new widgets::Table;
     table->setObjectName(QStringLiteral("applyTable"));
     table->setAccessibleName(tr("What will be written"));
-    table->setModel(modelOf(edits, format, this));
+    table->setModel(modelOf(edits, list, format, this));
     table->verticalHeader()->hide();
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setColumnWidth(1, hasPositions ? 520 : 180);
@@ -73,8 +73,8 @@ ApplyDialog::ApplyDialog(
     column->addWidget(table, 1);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(buttons, &QDialogButtonBox::accepted, this, [this, &edits] {
-        edits.apply();
+    connect(buttons, &QDialogButtonBox::accepted, this, [this, &edits, list] {
+        edits.apply(list);
         accept();
     });
 }

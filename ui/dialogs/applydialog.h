@@ -14,7 +14,9 @@ class ApplyDialog : public QDialog
 
 public:
     /// `edits` must outlive the dialog.
-    ApplyDialog(robot::Edits &edits, const QString &controller, const variables::Format &format, QWidget *parent);
+    /// `variables` are those of the edits that are written.
+    ApplyDialog(robot::Edits &edits, const QList<variables::Reference> &variables, const QString &controller,
+        const variables::Format &format, QWidget *parent);
 };
 
 } // namespace dialogs

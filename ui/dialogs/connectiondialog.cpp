@@ -170,6 +170,9 @@ void ConnectionDialog::duplicate()
 {
     Profile copy = m_form->profile();
     copy.name = unusedName(copy.name);
+    copy.id = {};
+    copy.folder.clear();
+    copy.formerNames.clear();
     m_store.save(copy);
     fill(copy.name);
 }
@@ -186,17 +189,15 @@ bool ConnectionDialog::save()
     if (!complaint(profile).isEmpty())
         return false;
     m_store.save(profile);
-    if (!selectedName().isEmpty() && selectedName() != profile.name)
-        m_store.remove(selectedName());
     fill(profile.name);
     return true;
 }
 
 void ConnectionDialog::connectNow()
 {
-    const Profile profile = m_form->profile();
     if (!save())
         return;
+    const Profile profile = m_form->profile(); // with its id
     m_ladder->diagnose(profile);
     Q_EMIT connectRequested(profile);
 }

@@ -130,13 +130,12 @@ void RestoreDialog::countChosen()
     m_state->setText(tr("%n file(s) are the same and not listed.", nullptr, same));
 }
 
-void RestoreDialog::follow(std::unique_ptr<files::Restore> restore)
+void RestoreDialog::follow(std::shared_ptr<files::Restore> restore)
 {
     m_restore = std::move(restore);
     m_go->setEnabled(false);
     m_items->setEnabled(false);
     m_close->setText(tr("Cancel"));
-    connect(m_restore.get(), &files::Restore::tried, this, &RestoreDialog::tried);
     connect(m_restore.get(), &files::Operation::progressed, this, &RestoreDialog::showProgress);
     connect(m_restore.get(), &files::Operation::finished, this, &RestoreDialog::onFinished);
     m_restore->start();

@@ -24,15 +24,15 @@ public:
 
     /// Holds the backup and the controller beside each other, above the plan.
     void showIdentity(const QList<files::IdentityRow> &rows);
-    /// Begins it and shows how it goes.
-    void follow(std::unique_ptr<files::Restore> restore);
+    /// Begins it and shows how it goes; it goes on when the dialog is gone.
+    void follow(std::shared_ptr<files::Restore> restore);
     /// Closing it while files are sent cancels that first, and the dialog stays to tell how far it came.
     void reject() override;
 
 Q_SIGNALS:
     /// The person wants it so; what was taken off the list is not in it.
     void confirmed(const QList<files::RestoreItem> &plan);
-    /// A file was sent, or could not be.
+    /// A file was put back, or could not be.
     void tried(const files::Upload *upload);
 
 private:
@@ -52,7 +52,7 @@ private:
     QPushButton *m_go;
     QPushButton *m_putBack;
     QPushButton *m_close;
-    std::unique_ptr<files::Restore> m_restore;
+    std::shared_ptr<files::Restore> m_restore;
     std::unique_ptr<files::Upload> m_back;
 };
 

@@ -6,7 +6,6 @@
 #include "protocol/codes.h"
 #include "settings/profilestore.h"
 #include "ui/dialogs/restoredialog.h"
-#include "ui/pages/files/backupchoices.h"
 #include "ui/pages/files/comparisoncard.h"
 #include "ui/pages/files/parts.h"
 #include "ui/pages/files/timeline.h"
@@ -59,7 +58,7 @@ QString nameOf(const files::ArchiveEntry &entry)
 BackupPage::BackupPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_context {context},
-      m_orders {context.station.orders},
+      m_backups {context.station.backups},
       m_timeline {new Timeline},
       m_state {widgets::sentence({}, ui::Role::Text2)},
       m_keep {spin(tr(" newest"), "keepCount", tr("Keep any number"))},
@@ -84,7 +83,9 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
     connect(m_timeline, &QTreeWidget::itemSelectionChanged, this, &BackupPage::updateButtons);
     connect(m_timeline, &QTreeWidget::itemSelectionChanged, m_comparison, &ComparisonCard::forget);
     connect(m_with, &QComboBox::currentIndexChanged, m_comparison, &ComparisonCard::forget);
-    connect(m_backUp, &QPushButton::clicked, this, &BackupPage::backUp);
+    connect(m_backUp, &QPushButton::clicked, &m_backups, &station::Backups::backUp);
+    connect(&m_backups, &station::Backups::progressed, this, &BackupPage::showProgress);
+    connect(&m_backups, &station::Backups::backedUp, this, &BackupPage::onBackedUp);
     connect(m_verify, &QPushButton::clicked, this, &BackupPage::verifyChosen);
     connect(m_pin, &QPushButton::clicked, this, &BackupPage::togglePin);
     connect(m_export, &QPushButton::clicked, this, &BackupPage::exportChosen);
@@ -94,11 +95,9 @@ BackupPage::BackupPage(const Context &context, QWidget *parent)
         if (isVisible())
             reload(); // others write backups too
     });
-    const BackupChoices choices = readBackupChoices(context.station.notes());
-    m_keep->setValue(choices.retention.count);
-    m_keepDays->setValue(choices.retention.days);
-    m_root = choices.folder;
-    say(tr("In %1").arg(QDir::toNativeSeparators(archive().folder())));
+    m_keep->setValue(m_backups.choices().retention.count);
+    m_keepDays->setValue(m_backups.choices().retention.days);
+    say(tr("In %1").arg(QDir::toNativeSeparators(m_backups.archive().folder())));
     reload();
     for (const QSpinBox *box : {m_keep, m_keepDays})
         connect(box, &QSpinBox::valueChanged, this, &BackupPage::keepChoices);
@@ -153,33 +152,34 @@ void BackupPage::showLink(const ui::LinkView &link)
     updateButtons();
 }
 
-files::Archive BackupPage::archive() const { return {m_root, m_context.station.profile().name}; }
-
 void BackupPage::say(const QString &sentence) { m_state->setText(sentence); }
 
 void BackupPage::setRoot(const QString &root)
 {
-    m_root = root;
-    say(tr("In %1").arg(QDir::toNativeSeparators(archive().folder())));
-    keepChoices();
+    station::BackupChoices choices = m_backups.choices();
+    choices.folder = root;
+    m_backups.setChoices(choices);
+    say(tr("In %1").arg(QDir::toNativeSeparators(m_backups.archive().folder())));
     reload();
 }
 
 void BackupPage::chooseFolder()
 {
-    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Folder of the backups"), m_root);
+    const QString chosen =
+        QFileDialog::getExistingDirectory(this, tr("Folder of the backups"), m_backups.choices().folder);
     if (!chosen.isEmpty())
         setRoot(chosen);
 }
 
-files::Retention BackupPage::retention() const { return {m_keep->value(), m_keepDays->value()}; }
-
-void BackupPage::keepChoices() { writeBackupChoices(m_context.station.notes(), {m_root, retention()}); }
+void BackupPage::keepChoices()
+{
+    m_backups.setChoices({m_backups.choices().folder, {m_keep->value(), m_keepDays->value()}});
+}
 
 void BackupPage::reload()
 {
     m_disk.run(
-        this, [archive = archive()] { return archive.entries(); },
+        this, [archive = m_backups.archive()] { return archive.entries(); },
         [this](const QList<files::ArchiveEntry> &entries) {
             m_timeline->showEntries(entries);
             updateButtons();
@@ -187,64 +187,43 @@ void BackupPage::reload()
     updateButtons();
 }
 
-bool BackupPage::isBusy() const { return (m_backup && !m_backup->isOver()) || (m_snapshot && !m_snapshot->isOver()); }
-
-QString BackupPage::unfinished() const
-{
-    return isBusy() ? tr("Files are still being read for a backup or a comparison.") : QString();
-}
-
 void BackupPage::updateButtons()
 {
     const auto entry = m_timeline->chosen();
-    m_backUp->setEnabled(m_isUp && !isBusy());
+    m_backUp->setEnabled(m_isUp && !m_backups.isBusy());
     m_verify->setEnabled(entry && !m_isVerifying);
     m_export->setEnabled(entry && !m_isExporting);
     m_pin->setEnabled(entry.has_value());
     m_pin->setText(entry && entry->isPinned ? tr("Unpin") : tr("Pin"));
-    m_compare->setEnabled(entry && entry->isReadable && !isBusy());
-    m_restore->setComplaint(!entry ? tr("Choose a backup first.") : isBusy() ? tr("Files are being read.") : QString());
+    m_compare->setEnabled(entry && entry->isReadable && !m_backups.isBusy());
+    m_restore->setComplaint(!entry ? tr("Choose a backup first.")
+            : m_backups.isBusy()   ? tr("Files are being read.")
+                                   : QString());
 }
 
-files::BackupOrder BackupPage::order() const
+/// Of whatever reads the controller's files now, whoever began it.
+void BackupPage::showProgress()
 {
-    files::BackupOrder order;
-    order.root = m_root;
-    order.info.controller = m_context.station.profile().name;
-    order.info.host = m_context.station.profile().host;
-    if (const auto &system = m_context.station.state().systemInformation().value) {
-        order.info.model = QString::fromLatin1(system->model.bytes());
-        order.info.software = QString::fromLatin1(system->software.bytes());
-        order.info.parameterVersion = QString::fromLatin1(system->parameters.bytes());
-    }
-    return order;
-}
-
-void BackupPage::backUp()
-{
-    session::FileSession *session = m_context.station.controller.files();
-    if (!session)
-        return;
-    files::BackupOrder order = this->order();
-    order.retention = retention();
-    m_backup = std::make_unique<files::Backup>(*session, order);
-    connect(m_backup.get(), &files::Operation::progressed, this, [this] {
-        say(m_backup->filesTotal() > 0
-                ? tr("Reading file %1 of %2…").arg(m_backup->filesDone() + 1).arg(m_backup->filesTotal())
-                : tr("Reading the lists…"));
-    });
-    connect(m_backup.get(), &files::Operation::finished, this, &BackupPage::onBackedUp);
-    m_backup->start();
-    say(tr("Reading the lists…"));
     updateButtons();
+    const auto *backup = m_backups.backup();
+    const auto *snapshot = m_backups.snapshot();
+    const auto isRunning = [](const files::Operation *one) {
+        return one && one->state() == files::OperationState::Running;
+    };
+    if (isRunning(backup))
+        say(backup->filesTotal() > 0
+                ? tr("Reading file %1 of %2…").arg(backup->filesDone() + 1).arg(backup->filesTotal())
+                : tr("Reading the lists…"));
+    else if (isRunning(snapshot))
+        say(tr("Reading file %1 of %2…").arg(snapshot->filesDone()).arg(snapshot->filesTotal()));
 }
 
 void BackupPage::onBackedUp()
 {
-    const int failures = m_backup->info().failures();
-    const int all = int(m_backup->info().results.size());
-    if (m_backup->error())
-        say(tr("▲ There is no new backup: %1").arg(protocol::explain(*m_backup->error())));
+    const int failures = m_backups.backup()->info().failures();
+    const int all = int(m_backups.backup()->info().results.size());
+    if (m_backups.backup()->error())
+        say(tr("▲ There is no new backup: %1").arg(protocol::explain(*m_backups.backup()->error())));
     else if (failures > 0)
         say(tr("▲ %1 of %2 files were backed up.").arg(all - failures).arg(all));
     else
@@ -306,7 +285,7 @@ void BackupPage::togglePin()
     if (!entry)
         return;
     m_disk.run(
-        this, [archive = archive(), entry = *entry] { return archive.setPinned(entry.id, !entry.isPinned); },
+        this, [archive = m_backups.archive(), entry = *entry] { return archive.setPinned(entry.id, !entry.isPinned); },
         [this](const values::Result<void> &pinned) {
             if (!pinned)
                 say(protocol::explain(pinned.error()));
@@ -355,21 +334,13 @@ void BackupPage::compare(
 
 void BackupPage::readController(const std::function<void(const files::FileSet &)> &handler)
 {
-    session::FileSession *session = m_context.station.controller.files();
-    if (!session)
-        return;
-    m_snapshot = std::make_unique<files::Snapshot>(*session);
-    connect(m_snapshot.get(), &files::Operation::progressed, this,
-        [this] { say(tr("Reading file %1 of %2…").arg(m_snapshot->filesDone()).arg(m_snapshot->filesTotal())); });
-    connect(m_snapshot.get(), &files::Operation::finished, this, [this, handler] {
+    m_backups.read(this, [this, handler](const values::Result<files::FileSet> &read) {
         updateButtons();
-        if (m_snapshot->error())
-            return say(protocol::explain(*m_snapshot->error()));
+        if (!read)
+            return say(protocol::explain(read.error()));
         say(tr("The controller's files were read."));
-        handler(m_snapshot->files());
+        handler(*read);
     });
-    m_snapshot->start();
-    updateButtons();
 }
 
 void BackupPage::planRestore()
@@ -391,23 +362,19 @@ void BackupPage::planRestore()
 void BackupPage::offerRestore(const files::Bag &bag, const files::FileSet &then)
 {
     readController([this, bag, then](const files::FileSet &now) {
-        session::FileSession *session = m_context.station.controller.files();
-        if (!session)
-            return;
         const auto identity =
-            files::compareIdentities(files::identityOf(bag.info(), then), files::identityOf(order().info, now));
+            files::compareIdentities(files::identityOf(bag.info(), then), files::identityOf(m_backups.info(), now));
         const bool isOther = files::isAnotherRobot(identity);
-        const auto plan = files::planRestore(then, now, {{}, m_orders.jobsInUse(), isOther});
+        const auto plan = files::planRestore(then, now, {{}, m_context.station.fileOrders.jobsInUse(), isOther});
         auto *dialog = new dialogs::RestoreDialog(m_context.station.profile(), bag.info().taken, plan, this);
         dialog->showIdentity(identity);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &dialogs::RestoreDialog::confirmed, this, [this, then, dialog](const auto &chosenPlan) {
-            if (session::FileSession *files = m_context.station.controller.files())
-                dialog->follow(
-                    std::make_unique<files::Restore>(*files, then, chosenPlan, order(), m_orders.guard(Act::Restore)));
+            if (auto restore = m_backups.restore(then, chosenPlan))
+                dialog->follow(std::move(restore));
         });
         connect(dialog, &dialogs::RestoreDialog::tried, this,
-            [this](const files::Upload *upload) { m_orders.note(*upload, Act::Upload); });
+            [this](const files::Upload *upload) { m_context.station.fileOrders.note(*upload, Act::Upload); });
         connect(dialog, &QDialog::finished, this, &BackupPage::reload);
         dialog->open();
     });

@@ -2,10 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/backup.h"
 #include "files/compare.h"
 #include "files/worker.h"
-#include "ui/pages/files/fileorders.h"
 #include "ui/pages/page.h"
 
 class QComboBox;
@@ -31,7 +29,6 @@ class BackupPage : public Page
 public:
     explicit BackupPage(const Context &context, QWidget *parent = nullptr);
 
-    [[nodiscard]] QString unfinished() const override;
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
     void showLink(const ui::LinkView &link) override;
 
@@ -47,17 +44,13 @@ protected:
     [[nodiscard]] bool needsLink() const override { return m_context.station.profile().name.isEmpty(); }
 
 private:
-    [[nodiscard]] bool isBusy() const;
     QWidget *timelineCard();
     void fillComparison();
-    [[nodiscard]] files::Archive archive() const;
-    [[nodiscard]] files::BackupOrder order() const;
-    [[nodiscard]] files::Retention retention() const;
     void chooseFolder();
     /// In the settings, for the next time.
     void keepChoices();
     void updateButtons();
-    void backUp();
+    void showProgress();
     void onBackedUp();
     void verifyChosen();
     void togglePin();
@@ -71,15 +64,12 @@ private:
     void say(const QString &sentence);
 
     const Context m_context;
-    FileOrders m_orders;
-    QString m_root;
+    station::Backups &m_backups;
     bool m_isUp = false;
     files::Worker m_disk; ///< Looks into folders and backups.
     files::Worker m_long; ///< Verifies and exports, one after the other.
     bool m_isVerifying = false;
     bool m_isExporting = false;
-    std::unique_ptr<files::Backup> m_backup;
-    std::unique_ptr<files::Snapshot> m_snapshot;
 
     Timeline *m_timeline;
     QLabel *m_state;

@@ -30,9 +30,9 @@ QString documents() { return QStandardPaths::writableLocation(QStandardPaths::Do
 FilesPage::FilesPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_context {context},
-      m_orders {context.station.orders},
-      m_offers {context, m_orders, m_queue, this},
-      m_changes {context, m_orders, m_queue, this},
+      m_queue {context.station.transfers},
+      m_offers {context, this},
+      m_changes {context, this},
       m_local {new FilePane(tr("This computer"), QStringLiteral("localFiles"))},
       m_remote {new FilePane(tr("Controller"), QStringLiteral("remoteFiles"))},
       m_type {new QComboBox},
@@ -108,11 +108,6 @@ QWidget *FilesPage::between()
         column->addWidget(each);
     column->addStretch();
     return result;
-}
-
-QString FilesPage::unfinished() const
-{
-    return m_queue.isIdle() ? QString() : tr("Files are still being transferred.");
 }
 
 QList<robot::TopicRange> FilesPage::topics() const { return {robot::topics::status, robot::topics::masterJob}; }

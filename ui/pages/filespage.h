@@ -28,7 +28,6 @@ class FilesPage : public Page
 public:
     explicit FilesPage(const Context &context, QWidget *parent = nullptr);
 
-    [[nodiscard]] QString unfinished() const override;
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
     void showLink(const ui::LinkView &link) override;
 
@@ -55,8 +54,7 @@ private:
     [[nodiscard]] QList<values::FileName> chosenNames() const;
 
     const Context m_context;
-    FileOrders m_orders;
-    files::TransferQueue m_queue;
+    files::TransferQueue &m_queue;
     Offers m_offers;
     RemoteChanges m_changes;
     std::unique_ptr<files::Collection> m_listing;

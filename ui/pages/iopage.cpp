@@ -3,7 +3,6 @@
 #include "ui/pages/iopage.h"
 
 #include "protocol/codes.h"
-#include "settings/profilestore.h"
 #include "ui/dialogs/iowritedialog.h"
 #include "ui/pages/registerspage.h"
 #include "ui/widgets/flow.h"
@@ -14,7 +13,6 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QJsonArray>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
@@ -30,9 +28,6 @@ using names::Signal;
 using protocol::IoArea;
 
 namespace {
-
-const QString watchSubject = QStringLiteral("watchedSignals");
-const QString signalsKey = QStringLiteral("signals");
 
 QString title(IoArea area)
 {
@@ -59,7 +54,7 @@ IoPage::IoPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_context {context},
       m_dialect {context.station.profile().dialect()},
-      m_watch {context.station.state(), this},
+      m_watch {context.station.watch},
       m_bar {new QTabBar},
       m_goTo {new widgets::GoToEdit(this)},
       m_sentence {widgets::sentence({}, ui::Role::Text2)},
@@ -85,7 +80,6 @@ IoPage::IoPage(const Context &context, QWidget *parent)
     column->addWidget(head());
     column->addWidget(m_sentence);
     column->addWidget(m_stack, 1);
-    loadWatch();
     m_stack->addWidget(m_table);
     m_stack->addWidget(watchTab(context));
     addAreas(context);
@@ -94,7 +88,7 @@ IoPage::IoPage(const Context &context, QWidget *parent)
     connect(m_table, &widgets::Table::rowsInViewChanged, this, &Page::topicsChanged);
     connect(m_table, &QTableView::doubleClicked, this, &IoPage::act);
     connect(m_table, &QWidget::customContextMenuRequested, this, &IoPage::openMenu);
-    connect(&m_watch, &robot::SignalWatch::listChanged, this, &IoPage::keepWatch);
+    connect(&m_watch, &robot::SignalWatch::listChanged, this, &Page::topicsChanged);
     connect(&context.station.names, &robot::NameBook::fetchChanged, this, &IoPage::showSentence);
     showTab(0);
 }
@@ -284,25 +278,6 @@ void IoPage::showSentence()
         sentences << tr("%n line(s) of IONAME.DAT could not be read.", nullptr, fetch.warnings.count());
     m_sentence->setText(sentences.join(u' '));
     widgets::setTextRole(m_sentence, refused.isEmpty() ? ui::Role::Text2 : ui::Role::Amber);
-}
-
-void IoPage::loadWatch()
-{
-    const QJsonObject json = m_context.station.notes().read(watchSubject);
-    for (const QJsonValue text : json[signalsKey].toArray()) {
-        if (const auto signal = names::signalFromText(text.toString(), m_dialect))
-            m_watch.add(*signal);
-    }
-}
-
-void IoPage::keepWatch()
-{
-    QJsonArray list;
-    for (const auto &trace : m_watch.traces())
-        list << toString(trace.signal);
-    const QJsonObject json = list.isEmpty() ? QJsonObject {} : QJsonObject {{signalsKey, list}};
-    m_context.station.notes().write(watchSubject, json);
-    Q_EMIT topicsChanged();
 }
 
 } // namespace pages

@@ -42,15 +42,13 @@ private:
     void act(const QModelIndex &index);
     void openMenu(const QPoint &at);
     void showSentence();
-    void loadWatch();
-    void keepWatch();
     [[nodiscard]] models::IoModel *model() const;
     [[nodiscard]] bool isWatchTab() const;
     [[nodiscard]] protocol::IoArea area() const;
 
     const Context m_context;
     protocol::Dialect m_dialect;
-    robot::SignalWatch m_watch;
+    robot::SignalWatch &m_watch;
     QTabBar *m_bar;
     widgets::GoToEdit *m_goTo;
     QLabel *m_sentence;

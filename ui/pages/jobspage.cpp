@@ -20,9 +20,9 @@ namespace pages {
 JobsPage::JobsPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_orders {context.station.orders},
-      m_library {new robot::JobLibrary(context.station.orders, this)},
-      m_list {new JobListCard(context, *m_library)},
-      m_text {new JobTextCard(context, *m_library)},
+      m_library {context.station.jobs},
+      m_list {new JobListCard(context, m_library)},
+      m_text {new JobTextCard(context, m_library)},
       m_select {new SelectCard(context)},
       m_tasks {new TasksCard(context)}
 {
@@ -49,7 +49,7 @@ JobsPage::JobsPage(const Context &context, QWidget *parent)
         readListOnce();
         chooseFirst();
     });
-    connect(m_library, &robot::JobLibrary::listChanged, this, &JobsPage::chooseFirst);
+    connect(&m_library, &robot::JobLibrary::listChanged, this, &JobsPage::chooseFirst);
 }
 
 QWidget *JobsPage::orderColumn(const Context &context)
@@ -82,11 +82,11 @@ void JobsPage::showEvent(QShowEvent *event)
 /// The list is read when the page comes into view the first time on a link; after that by hand.
 void JobsPage::readListOnce()
 {
-    const bool isNeeded = !m_library->list().value || m_library->isListOld();
-    const auto &trouble = m_library->listTrouble();
+    const bool isNeeded = !m_library.list().value || m_library.isListOld();
+    const auto &trouble = m_library.listTrouble();
     const bool mayTry = !trouble || trouble->kind == values::ErrorKind::NotSent;
-    if (isVisible() && m_orders.situation().isLinkUp && isNeeded && mayTry && !m_library->isListing())
-        m_library->readList();
+    if (isVisible() && m_orders.situation().isLinkUp && isNeeded && mayTry && !m_library.isListing())
+        m_library.readList();
 }
 
 /// Until the person has chosen one, the controller's own job is shown.

@@ -32,7 +32,7 @@ private:
     void showJob(const values::FileName &job);
 
     robot::Orders &m_orders;
-    robot::JobLibrary *m_library;
+    robot::JobLibrary &m_library;
     JobListCard *m_list;
     JobTextCard *m_text;
     SelectCard *m_select;

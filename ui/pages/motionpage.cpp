@@ -37,11 +37,11 @@ MotionPage::MotionPage(const Context &context, QWidget *parent)
     : Page(context, parent),
       m_state {context.station.state()},
       m_profile {context.station.profile()},
-      m_jog {new robot::Jog(context.station.orders, motion::limits(context.station.profile().motion), this)},
+      m_jog {context.station.jog},
       m_group {new QComboBox},
       m_cartesian {new CartesianCard(context.station.state())},
-      m_jogCard {new JogCard(context, *m_jog)},
-      m_move {new MoveCard(context, m_jog->limits())}
+      m_jogCard {new JogCard(context, m_jog)},
+      m_move {new MoveCard(context, m_jog.limits())}
 {
     auto *board = new widgets::Board(motionBoards);
     board->setObjectName(QStringLiteral("motionBoard"));
@@ -61,6 +61,13 @@ MotionPage::MotionPage(const Context &context, QWidget *parent)
             showGroups();
     });
     showGroups();
+}
+
+/// Nobody holds a button of a page that is gone.
+MotionPage::~MotionPage()
+{
+    m_jog.release();
+    m_jog.setWindowActive(false);
 }
 
 QWidget *MotionPage::statement()
@@ -155,7 +162,7 @@ void MotionPage::followWindow()
 {
     window()->removeEventFilter(this);
     window()->installEventFilter(this);
-    m_jog->setWindowActive(isVisible() && window()->isActiveWindow());
+    m_jog.setWindowActive(isVisible() && window()->isActiveWindow());
 }
 
 } // namespace pages

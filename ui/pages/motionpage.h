@@ -22,6 +22,8 @@ class MotionPage : public Page
 public:
     explicit MotionPage(const Context &context, QWidget *parent = nullptr);
 
+    ~MotionPage() override;
+
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
     bool event(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -35,7 +37,7 @@ private:
 
     const robot::RobotState &m_state;
     const settings::Profile &m_profile;
-    robot::Jog *m_jog;
+    robot::Jog &m_jog;
     QComboBox *m_group;
     CartesianCard *m_cartesian;
     JogCard *m_jogCard;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "station/station.h"
+#include "station/fleet.h"
 #include "ui/linkview.h"
 #include <QWidget>
 
@@ -21,6 +21,7 @@ namespace pages {
 /// What a page is made of. All of it outlives the page: a window makes new pages for another station or language.
 struct Context {
     station::Station &station; ///< What is shown, and what is done to it.
+    station::Fleet &fleet; ///< All stations of the program.
     settings::ProfileStore &store; ///< The controllers that this user knows.
     const ui::Actions &actions;
 };
@@ -40,8 +41,6 @@ public:
     void setName(const QString &name);
     /// Called once after creation and whenever the link has something new to say. Call it from an override.
     virtual void showLink(const ui::LinkView &link);
-    /// What would be lost if the page went away now, as a whole sentence; empty if nothing would.
-    [[nodiscard]] virtual QString unfinished() const { return {}; }
     /// Twice a second.
     virtual void showStatistics(const session::LinkStatistics &) { }
 

@@ -7,11 +7,6 @@
 
 namespace pages {
 
-variables::Format formatOf(const settings::Profile &profile)
-{
-    return {QLocale(), protocol::TextCodec {profile.encoding}, profile.dialect().stringSize, variables::Base::Decimal};
-}
-
 QList<variables::Reference> allOf(variables::Kind kind, const protocol::Dialect &dialect)
 {
     QList<variables::Reference> result;
@@ -33,10 +28,8 @@ QWidget *sheetCard(QWidget *content)
 
 RegistersPage::RegistersPage(const Context &context, QWidget *parent)
     : Page(context, parent),
-      m_format {formatOf(context.station.profile())},
-      m_history {context.station.state()},
-      m_edits {context.station.orders, m_format},
-      m_desk {context.station.state(), m_history, m_edits, context.station.names, m_format,
+      m_format {robot::formatOf(context.station.profile())},
+      m_desk {context.station.state(), context.station.history, context.station.edits, context.station.names, m_format,
           context.station.profile().dialect()},
       m_model {new models::VariableModel(m_desk, allOf(variables::Kind::M, m_desk.dialect), this)},
       m_sheet {new VariableSheet(context, m_desk, robot::Act::WriteRegister)}

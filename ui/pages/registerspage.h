@@ -15,21 +15,16 @@ public:
     explicit RegistersPage(const Context &context, QWidget *parent = nullptr);
 
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
-    [[nodiscard]] QString unfinished() const override { return unfinishedEdits(m_edits); }
 
 private:
     void choose(variables::Base base);
 
     variables::Format m_format;
-    robot::VariableHistory m_history;
-    robot::Edits m_edits;
     models::VariableDesk m_desk;
     models::VariableModel *m_model;
     VariableSheet *m_sheet;
 };
 
-/// How the values of a controller are written for its people.
-[[nodiscard]] variables::Format formatOf(const settings::Profile &profile);
 /// All variables of a kind.
 [[nodiscard]] QList<variables::Reference> allOf(variables::Kind kind, const protocol::Dialect &dialect);
 /// A flat sheet around a page's content.

@@ -166,7 +166,8 @@ void StartPanel::addRecent(QVBoxLayout *column)
         };
         connect(tile, &QPushButton::clicked, this, connectTo);
         if (!recent.profile.isSimulation) {
-            const auto *age = new ui::BackupAge(recent.profile.name, m_context.store.notes(recent.profile.name), tile);
+            const auto *age =
+                new ui::BackupAge(recent.profile.folderName(), m_context.store.notes(recent.profile), tile);
             connect(age, &ui::BackupAge::told, tile, &start::RecentTile::showBackup);
         }
         if (index++ == 0)

@@ -38,6 +38,7 @@ VariableSheet::VariableSheet(const Context &context, const models::VariableDesk 
     : QWidget(parent),
       m_desk {desk},
       m_orders {context.station.orders},
+      m_act {act},
       m_table {new widgets::Table},
       m_head {new widgets::Flow},
       m_foot {new widgets::Flow},
@@ -110,7 +111,8 @@ void VariableSheet::makeFoot()
     for (QWidget *widget : std::initializer_list<QWidget *> {m_apply, m_discard, m_undo, importButton, exportButton})
         m_foot->setAlignment(widget, Qt::AlignTop);
     connect(m_apply, &widgets::OrderButton::clicked, this, &VariableSheet::openApply);
-    connect(m_discard, &QPushButton::clicked, this, &VariableSheet::discard);
+    connect(
+        m_discard, &QPushButton::clicked, this, [this] { m_desk.edits.discard(own(m_desk.edits.staged().edits())); });
     connect(m_undo, &QPushButton::clicked, &m_desk.edits, &robot::Edits::undo);
     connect(importButton, &QPushButton::clicked, this, &VariableSheet::importFile);
     connect(exportButton, &QPushButton::clicked, this, &VariableSheet::exportFile);
@@ -135,8 +137,8 @@ void VariableSheet::show(VariableModel *model)
 QList<robot::TopicRange> VariableSheet::topics() const
 {
     QList<robot::TopicRange> result = m_transfer->topics();
-    for (const auto &edit : m_desk.edits.staged().edits())
-        result << robot::TopicRange {robot::topicOf(edit.variable)};
+    for (const Reference &variable : own(m_desk.edits.staged().edits()))
+        result << robot::TopicRange {robot::topicOf(variable)};
     if (!m_model)
         return result;
     const auto rows = m_table->rowsInView();
@@ -234,14 +236,14 @@ QString VariableSheet::controllerName() const { return m_orders.controller().pro
 
 void VariableSheet::showEdits()
 {
-    const int count = int(m_desk.edits.staged().toApply().size());
+    const int count = int(own(m_desk.edits.staged().toApply()).size());
     const bool isApplying = m_desk.edits.isApplying();
     m_apply->setText(isApplying ? tr("Writing…") : tr("Apply %n…", nullptr, count));
     m_apply->setComplaint(isApplying ? tr("The values are being written.")
             : count == 0             ? tr("Nothing is staged: press Enter in a value.")
                                      : QString());
     m_discard->setEnabled(count > 0 && !isApplying);
-    m_undo->setEnabled(!m_desk.edits.staged().undoable().isEmpty() && !isApplying);
+    m_undo->setEnabled(!own(m_desk.edits.staged().undoable()).isEmpty() && !isApplying);
     m_discard->setToolTip(m_discard->isEnabled() ? QString() : tr("Nothing is staged."));
     m_undo->setToolTip(m_undo->isEnabled() ? tr("Stages the values that stood there before.")
                                            : tr("Nothing was written that could be undone."));
@@ -249,10 +251,21 @@ void VariableSheet::showEdits()
 
 void VariableSheet::openApply()
 {
-    (new dialogs::ApplyDialog(m_desk.edits, controllerName(), m_desk.format, this))->show();
+    (new dialogs::ApplyDialog(
+         m_desk.edits, own(m_desk.edits.staged().toApply()), controllerName(), m_desk.format, this))
+        ->show();
 }
 
-void VariableSheet::discard() { m_desk.edits.clear(); }
+QList<Reference> VariableSheet::own(const QList<variables::Edit> &edits) const
+{
+    const bool areRegisters = m_act == robot::Act::WriteRegister;
+    QList<Reference> result;
+    for (const auto &edit : edits) {
+        if ((edit.variable.kind == variables::Kind::M) == areRegisters)
+            result << edit.variable;
+    }
+    return result;
+}
 
 QList<Reference> VariableSheet::selected() const
 {
@@ -280,12 +293,6 @@ void VariableSheet::exportFile()
     const QString path = QFileDialog::getSaveFileName(this, tr("Export values"), {}, tr("CSV files (*.csv)"));
     if (!path.isEmpty())
         m_transfer->exportTo(path, m_model->variables());
-}
-
-QString unfinishedEdits(const robot::Edits &edits)
-{
-    const int count = int(edits.staged().edits().size());
-    return count == 0 ? QString() : VariableSheet::tr("%n staged value(s) were not applied.", nullptr, count);
 }
 
 } // namespace pages

@@ -66,7 +66,8 @@ private:
     void editPosition(const variables::Reference &variable);
     void showEdits();
     void openApply();
-    void discard();
+    /// Of these edits, those of variables or of registers, whichever this sheet is for.
+    [[nodiscard]] QList<variables::Reference> own(const QList<variables::Edit> &edits) const;
     [[nodiscard]] QList<variables::Reference> selected() const;
     void paste();
     void importFile();
@@ -76,6 +77,7 @@ private:
 
     models::VariableDesk m_desk;
     robot::Orders &m_orders;
+    robot::Act m_act;
     models::VariableModel *m_model = nullptr;
     widgets::Table *m_table;
     widgets::Flow *m_head;
@@ -88,8 +90,5 @@ private:
     QPushButton *m_undo;
     VariableTransfer *m_transfer;
 };
-
-/// For Page::unfinished(): says how many edits are staged and not applied.
-[[nodiscard]] QString unfinishedEdits(const robot::Edits &edits);
 
 } // namespace pages

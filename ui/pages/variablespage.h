@@ -21,7 +21,6 @@ public:
     explicit VariablesPage(const Context &context, QWidget *parent = nullptr);
 
     [[nodiscard]] QList<robot::TopicRange> topics() const override;
-    [[nodiscard]] QString unfinished() const override { return unfinishedEdits(m_edits); }
 
     /// Opens the tab of the variable and makes it current.
     void goTo(const variables::Reference &variable);
@@ -51,8 +50,6 @@ private:
     robot::Orders &m_orders;
     robot::NumberingGuard &m_guard;
     variables::Format m_format;
-    robot::VariableHistory m_history;
-    robot::Edits m_edits;
     models::VariableDesk m_desk;
     VariableSheet *m_sheet;
     QTabBar *m_bar;

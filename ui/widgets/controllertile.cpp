@@ -20,10 +20,30 @@ QFont nameFont()
 
 } // namespace
 
-ControllerTile::ControllerTile(const QString &name, QWidget *parent) : QWidget(parent), m_name {name}
+ControllerTile::ControllerTile(QWidget *parent) : QAbstractButton(parent)
 {
+    setCheckable(true);
+    setAutoExclusive(false);
+    setFocusPolicy(Qt::TabFocus);
     const int line = QFontMetrics(ui::font(ui::Type::Label)).height();
     setFixedHeight(QFontMetrics(nameFont()).height() + 2 * line + 3 * tileMargin / 2 + 4);
+}
+
+void ControllerTile::showStation(const QUuid &id, const QString &name, int tag)
+{
+    m_id = id;
+    if (name == m_name && tag == m_tag)
+        return;
+    m_name = name;
+    m_tag = tag;
+    tellNames();
+    update();
+}
+
+void ControllerTile::showAlarms(int count)
+{
+    if (std::exchange(m_alarms, count) != count)
+        update();
 }
 
 void ControllerTile::show(const Word &state)
@@ -56,13 +76,17 @@ void ControllerTile::paintEvent(QPaintEvent *)
     const ui::Scheme scheme = ui::schemeOf(palette());
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(ui::color(ui::Role::Border, scheme));
-    painter.setBrush(ui::color(ui::Role::Raised, scheme));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
+    if (isChecked() || hasFocus()) {
+        painter.setPen(ui::color(hasFocus() ? ui::Role::Accent : ui::Role::Border, scheme));
+        painter.setBrush(ui::color(isChecked() ? ui::Role::Raised : ui::Role::Window, scheme));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), ui::space::radius, ui::space::radius);
+    }
+    if (m_tag > 0)
+        painter.fillRect(QRect(2, tileMargin, 4, height() - 2 * tileMargin), ui::tagColor(m_tag, scheme));
 
     const QRect inner = rect().adjusted(tileMargin, tileMargin - 3, -tileMargin, -tileMargin + 3);
     const int side = QFontMetrics(nameFont()).capHeight();
-    const QRect upper(inner.left(), inner.top(), inner.width() - side - 8, QFontMetrics(nameFont()).height());
+    const QRect upper(inner.left(), inner.top(), inner.width() - side - 12, QFontMetrics(nameFont()).height());
     const int labelHeight = QFontMetrics(ui::font(ui::Type::Label)).height();
     const QRect lower(inner.left(), upper.bottom() + 3, inner.width(), labelHeight);
     QRect lowest = lower.translated(0, labelHeight);
@@ -73,6 +97,12 @@ void ControllerTile::paintEvent(QPaintEvent *)
             line, Qt::AlignLeft | Qt::AlignVCenter, QFontMetrics(font).elidedText(words, Qt::ElideRight, line.width()));
     };
     write(upper, nameFont(), ui::Role::Text1, m_name);
+    if (m_alarms > 0) {
+        const QRect count = upper.adjusted(0, 0, 4, 0);
+        painter.setFont(ui::font(ui::Type::Label));
+        painter.setPen(ui::color(ui::Role::Alarm, scheme));
+        painter.drawText(count, Qt::AlignRight | Qt::AlignVCenter, QString::number(m_alarms));
+    }
     write(lower, ui::font(ui::Type::Label), ui::Role::Text2, m_state.text);
     if (m_backup.lamp != Lamp::None) {
         paintLamp(painter, QRect(lowest.left(), lowest.center().y() - side / 2, side, side), m_backup.lamp, scheme);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
+#include "journal/store.h"
 #include "settings/profilestore.h"
 #include "settings/settingsfile.h"
 #include "virtualcontroller/server.h"
@@ -27,12 +28,14 @@ struct Ended {
 class Terminal
 {
 public:
-    explicit Terminal(protocol::Numbering numbering = protocol::Numbering::FromZero)
+    explicit Terminal(
+        protocol::Numbering numbering = protocol::Numbering::FromZero, protocol::Model model = protocol::Model::YRC1000)
     {
         virtualcontroller::Options options;
         options.port = 0;
         options.filePort = 0;
         options.settings.numbering = numbering;
+        options.settings.model = model;
         server = std::make_unique<Server>(options);
         isStarted = server->start().has_value();
     }
@@ -48,6 +51,7 @@ public:
         QProcess process;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.path());
+        environment.insert(QStringLiteral("XDG_DATA_HOME"), folder.path());
         process.setProcessEnvironment(environment);
         QSignalSpy finished {&process, &QProcess::finished};
         process.start(QStringLiteral(PENDESK_BIN "/pendeskctl"), arguments);
@@ -67,6 +71,7 @@ public:
         settings::ProfileStore {file}.save(profile);
     }
 
+    [[nodiscard]] QString journal() const { return folder.filePath(QStringLiteral("pendesk/pendesk/journal.sqlite")); }
     QString bag()
     {
         const QDir controller {folder.filePath(QStringLiteral("bk/127.0.0.1"))};
@@ -98,6 +103,9 @@ private Q_SLOTS:
     void writesOnlyWhenTold();
     void writesWithAVerifiedProfile_data();
     void writesWithAVerifiedProfile();
+    void writesAreInTheJournal();
+    void asksWhichModelItIs_data();
+    void asksWhichModelItIs();
     void transfersFiles();
     void backsUpAndRestores();
     void refusesAnotherRobot();
@@ -302,6 +310,68 @@ void TestPendeskctl::writesWithAVerifiedProfile()
     QVERIFY2(ended.code == code, ended.out + ended.err);
     QCOMPARE(terminal.server->memory().b[5].value, quint8(code == 0 ? 77 : 0));
     QCOMPARE(terminal.server->asked(0x7A), code == 0 ? 2 : 0); // the write, and the read back
+}
+
+/// What was written, refused and withheld is kept where the window keeps it.
+void TestPendeskctl::writesAreInTheJournal()
+{
+    Terminal terminal;
+    QCOMPARE(terminal.run(QStringLiteral("var get B005")).code, 0);
+    QVERIFY(!QFile::exists(terminal.journal())); // whoever only reads keeps nothing
+    QCOMPARE(terminal.run(QStringLiteral("var set B005 77 --yes --numbering 0")).code, 0);
+    QCOMPARE(terminal.run(QStringLiteral("io set 27012 1 --yes")).code, 0);
+    terminal.server->memory().status.data1.setFlag(values::Status::Remote, false);
+    QCOMPARE(terminal.run(QStringLiteral("files rm HOME.JBI --yes --to DIR/copies")).code, 4); // REMOTE is off
+    journal::Store journal {QUrl::fromLocalFile(terminal.journal())};
+    QList<journal::OrderRecord> records;
+    bool isRead = false;
+    journal.orders({}, {}, 100, this, [&](const auto &page) {
+        isRead = page.has_value();
+        records = isRead ? page->records : records;
+    });
+    QTRY_VERIFY(isRead);
+    QCOMPARE(records.size(), 3); // the newest first
+    QCOMPARE(records[2].action, QStringLiteral("write-variable"));
+    QCOMPARE(records[2].subject, QStringLiteral("B005"));
+    QCOMPARE(records[2].newValue, QStringLiteral("77"));
+    QCOMPARE(records[2].level, QStringLiteral("Engineer"));
+    QCOMPARE(records[2].controller, QStringLiteral("127.0.0.1"));
+    QVERIFY(records[2].outcome == journal::Outcome::Done);
+    QCOMPARE(records[1].action, QStringLiteral("write-io"));
+    QCOMPARE(records[0].action, QStringLiteral("delete-file"));
+    QVERIFY(records[0].outcome == journal::Outcome::Withheld);
+}
+
+void TestPendeskctl::asksWhichModelItIs_data()
+{
+    QTest::addColumn<int>("model");
+    QTest::addColumn<QByteArray>("software"); // that 0x89 tells
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<int>("code");
+    using protocol::Model;
+    const auto row = [](const char *name, Model model, const char *software, const char *line, int code) {
+        QTest::newRow(name) << int(model) << QByteArray(software) << QString::fromLatin1(line) << code;
+    };
+    // 16 bytes a string and network inputs from 2501 on: reference §4.1, §4.3
+    row("DX100 told", Model::DX100, "DS3.00", "var set S003 AB --yes --numbering 0 --model dx100", 0);
+    row("DX100 long", Model::DX100, "DS3.00", "var set S003 ABCDEFGHIJKLMNOP --yes --numbering 0 --model dx100", 0);
+    row("DX100 input", Model::DX100, "DS3.00", "io set 25010 1 --yes --model dx100", 0);
+    row("FS100 found", Model::FS100, "FS3.00", "var set S003 AB --yes --numbering 0", 0);
+    row("YRC1000 found", Model::YRC1000, "YAS2.94", "io set 27010 1 --yes", 0);
+    row("no input of a YRC1000", Model::YRC1000, "YAS2.94", "io set 25010 1 --yes", 2);
+    row("no model", Model::YRC1000, "YAS2.94", "info --model robot", 2);
+}
+
+void TestPendeskctl::asksWhichModelItIs()
+{
+    QFETCH(int, model);
+    QFETCH(QByteArray, software);
+    QFETCH(QString, line);
+    QFETCH(int, code);
+    Terminal terminal {protocol::Numbering::FromZero, protocol::Model(model)};
+    terminal.server->memory().systemInformation[11].software = values::FixedText<24> {software};
+    const Ended ended = terminal.run(line);
+    QVERIFY2(ended.code == code, ended.out + ended.err);
 }
 
 void TestPendeskctl::transfersFiles()

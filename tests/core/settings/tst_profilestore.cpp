@@ -31,6 +31,15 @@ Profile weldCell()
     return profile;
 }
 
+/// Without what the store has added.
+Profile bare(const std::optional<Profile> &stored)
+{
+    Profile profile = stored.value_or(Profile {});
+    profile.id = {};
+    profile.folder.clear();
+    return profile;
+}
+
 } // namespace
 
 class TestProfileStore : public QObject
@@ -55,11 +64,75 @@ private Q_SLOTS:
         ProfileStore store {file};
         QCOMPARE(store.profiles().size(), 2);
         QCOMPARE(store.profiles().first().name, QStringLiteral("A"));
-        QVERIFY(store.find(weldCell().name) == weldCell());
+        QVERIFY(bare(store.find(weldCell().name)) == weldCell());
         QCOMPARE(store.lastUsed(), QStringLiteral("A"));
         store.remove(QStringLiteral("A"));
         QVERIFY(!store.find(QStringLiteral("A")));
         QCOMPARE(store.profiles().size(), 1);
+    }
+
+    /// Another name is another label: everything that is kept goes on.
+    void renamingKeepsWhatIsKept()
+    {
+        QTemporaryDir folder;
+        settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
+        ProfileStore store {file};
+        Profile profile = store.save(weldCell());
+        QVERIFY(!profile.id.isNull());
+        QCOMPARE(profile.folderName(), weldCell().name);
+        store.setLastUsed(profile.name);
+        store.setReadinessSeen(profile.name);
+        store.noteConnected(profile.name, values::utc({2026, 3, 1}, {12, 0}));
+        store.notes(profile).write(QStringLiteral("names"), {{QStringLiteral("B7"), QStringLiteral("Recipe")}});
+        profile.name = QStringLiteral("CELL 5");
+        store.save(profile);
+        QCOMPARE(store.profiles().size(), 1);
+        const auto renamed = store.find(QStringLiteral("CELL 5"));
+        QVERIFY(renamed && renamed->id == profile.id);
+        QCOMPARE(renamed->folderName(), weldCell().name); // no file has moved
+        QCOMPARE(renamed->formerNames, QStringList {weldCell().name});
+        QCOMPARE(store.lastUsed(), QStringLiteral("CELL 5"));
+        QVERIFY(store.isReadinessSeen(QStringLiteral("CELL 5")));
+        QVERIFY(store.recent(1).first().connected.isValid());
+        QCOMPARE(store.notes(*renamed).read(QStringLiteral("names")).value(u"B7").toString(), QStringLiteral("Recipe"));
+        profile = *renamed;
+        profile.name = weldCell().name; // and back
+        QCOMPARE(store.save(profile).formerNames, QStringList {QStringLiteral("CELL 5")});
+        Profile second = weldCell(); // another one beside it, which was never here
+        second.name = QStringLiteral("CELL 5");
+        QVERIFY(store.save(second).id != profile.id);
+    }
+
+    /// As settings were kept before profiles had ids.
+    void whatGoesByNamesIsTakenOver()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("settings.json"));
+        QUuid id;
+        {
+            settings::SettingsFile file {path};
+            const QString key = QStringLiteral("CELL%204");
+            Profile profile = weldCell();
+            profile.name = QStringLiteral("CELL 4");
+            file.setValue(QStringLiteral("profiles/") + key, toJson(profile));
+            file.setValue(QStringLiteral("notes/%1/names").arg(key), QJsonObject {{QStringLiteral("B7"), 1}});
+            file.setValue(QStringLiteral("connections/%1/readinessSeen").arg(key), true);
+            file.setValue(QStringLiteral("lastProfile"), profile.name);
+            ProfileStore store {file};
+            QCOMPARE(store.profiles().size(), 1);
+            id = store.profiles().first().id;
+            QVERIFY(!id.isNull());
+            QVERIFY(bare(store.find(QStringLiteral("CELL 4"))) == profile);
+            QCOMPARE(store.find(id)->folderName(), QStringLiteral("CELL 4"));
+            QCOMPARE(store.notes(QStringLiteral("CELL 4")).read(QStringLiteral("names")).value(u"B7").toInt(), 1);
+            QVERIFY(store.isReadinessSeen(QStringLiteral("CELL 4")));
+            QCOMPARE(store.lastUsed(), QStringLiteral("CELL 4"));
+            QVERIFY(!file.contains(QStringLiteral("profiles/") + key));
+        }
+        settings::SettingsFile file {path};
+        const ProfileStore again {file};
+        QCOMPARE(again.profiles().size(), 1);
+        QVERIFY(again.profiles().first().id == id); // once and for all
     }
 
     /// The one that answered last first; those that never did by their names.

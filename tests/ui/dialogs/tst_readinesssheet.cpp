@@ -112,7 +112,7 @@ void TestReadinessSheet::opensByItselfOnce()
     QTRY_COMPARE(desk.verdict("hold"), QStringLiteral("allowed, measured")); // it was confirmed
     desk.sheet()->close();
     QTRY_VERIFY(!desk.sheet());
-    desk.harness.window.connectTo(*desk.harness.store.find(desk.harness.profile().name));
+    desk.harness.connectAnew();
     QTRY_VERIFY(desk.harness.isAllLive());
     QCoreApplication::processEvents();
     QVERIFY(!desk.sheet());

@@ -327,7 +327,7 @@ private Q_SLOTS:
         QVERIFY(desk.exportTo(path));
         QVERIFY(contents(path).contains("\"cause\":\"limit switch\""));
 
-        desk.window.connectTo(desk.profile()); // a new view of the same journal
+        desk.connectAnew(); // a new view of the same journal
         desk.window.view().openPage(alarmsRow());
         desk.find<QSpinBox>("noteCode")->setValue(4416);
         QTRY_COMPARE(desk.find<QPlainTextEdit>("noteCause")->toPlainText(), QStringLiteral("limit switch"));

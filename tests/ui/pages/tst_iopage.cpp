@@ -198,7 +198,7 @@ void TestIoPage::watchesSignals()
     QTest::mouseClick(room.find<QPushButton>("resetCounters"), Qt::LeftButton);
     QCOMPARE(rises(), QStringLiteral("0"));
     // Kept for this controller.
-    QVERIFY(!room.harness.store.notes(room.harness.profile().name).read(QStringLiteral("watchedSignals")).isEmpty());
+    QVERIFY(!room.harness.window.view().station()->notes().read(QStringLiteral("watchedSignals")).isEmpty());
     table->setFocus();
     table->setCurrentIndex(table->model()->index(0, 0));
     QTest::keyClick(table, Qt::Key_Delete);

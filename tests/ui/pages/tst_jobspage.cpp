@@ -81,7 +81,7 @@ void TestJobsPage::favouritesStandFirst()
     }
     const auto first = [&harness] { return harness.list()->model()->index(0, 0).data().toString(); };
     QCOMPARE(first(), QStringLiteral("★ WELD_A12"));
-    harness.window.connectTo(harness.profile()); // another view of the same controller
+    harness.connectAnew(); // another view of the same controller
     harness.window.view().openPage(harness.pageRow());
     // The controller is busy until it gives up the job text that the view before was reading.
     const auto isFirst = [&] {

@@ -104,9 +104,10 @@ struct Desk {
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
     settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     settings::ProfileStore store {file};
+    station::Fleet fleet {{store, rules, arming, journal}};
     station::Station station;
     RobotState &state = const_cast<RobotState &>(station.state()); ///< Filled by hand.
-    pages::OverviewPage page {{station, store, actions}};
+    pages::OverviewPage page {{station, fleet, store, actions}};
 };
 
 bool lay(QWidget &widget, const QSize &size)

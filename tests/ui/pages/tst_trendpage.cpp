@@ -280,7 +280,7 @@ void TrendPageTest::remembersSignals()
     other.name = QStringLiteral("PAINT 1");
     desk.window.connectTo(other);
     QVERIFY(desk.recorder().signalSet().isEmpty());
-    desk.window.connectTo(desk.profile());
+    desk.connectAnew();
     const QList<trend::Signal> expected {torque, servo};
     QVERIFY(desk.recorder().signalSet() == expected);
 }

@@ -302,7 +302,7 @@ void TestVariablesPage::watchPagesAreKept()
     model->append({VariableKind::P, 1});
     QTRY_VERIFY(room.text(0) != u"—" && room.text(1) != u"—");
     page->addWatchPage(QStringLiteral("second"));
-    const auto notes = room.harness.store.notes(room.harness.profile().name);
+    const auto notes = room.harness.window.view().station()->notes();
     const QByteArray kept = QJsonDocument {notes.read(QStringLiteral("watchPages"))}.toJson(QJsonDocument::Compact);
     QVERIFY(kept.contains("\"B007\",\"P001\""));
     QVERIFY(room.open(room.harness.profile()));

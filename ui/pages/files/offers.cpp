@@ -15,8 +15,8 @@ using files::Direction;
 
 namespace pages {
 
-Offers::Offers(const Context &context, FileOrders &orders, files::TransferQueue &queue, QWidget *window)
-    : m_context {context}, m_orders {orders}, m_queue {queue}, m_window {window}
+Offers::Offers(const Context &context, QWidget *window)
+    : m_context {context}, m_orders {context.station.fileOrders}, m_queue {context.station.transfers}, m_window {window}
 {
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ui/dialogs/overwritedialog.h"
-#include "ui/pages/files/fileorders.h"
 #include "ui/pages/page.h"
 
 namespace pages {
@@ -23,7 +22,7 @@ class Offers : public QObject
 
 public:
     /// All of them must outlive it; boxes open above `window`.
-    Offers(const Context &context, FileOrders &orders, files::TransferQueue &queue, QWidget *window);
+    Offers(const Context &context, QWidget *window);
 
     /// Asks about one after the other where its name is taken. Forgets what was still to be decided.
     void ask(const QList<Offer> &offers);
@@ -42,7 +41,7 @@ private:
     void tellFindings(const QStringList &sentences, const QList<Offer> &passing);
 
     const Context m_context;
-    FileOrders &m_orders;
+    station::FileOrders &m_orders;
     files::TransferQueue &m_queue;
     QWidget *m_window;
     QList<Offer> m_offers; ///< Still to be decided about.

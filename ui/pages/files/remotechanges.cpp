@@ -13,8 +13,8 @@ using values::FileName;
 
 namespace pages {
 
-RemoteChanges::RemoteChanges(const Context &context, FileOrders &orders, files::TransferQueue &queue, QWidget *window)
-    : m_context {context}, m_orders {orders}, m_queue {queue}, m_window {window}
+RemoteChanges::RemoteChanges(const Context &context, QWidget *window)
+    : m_context {context}, m_orders {context.station.fileOrders}, m_queue {context.station.transfers}, m_window {window}
 {
 }
 

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "ui/pages/files/fileorders.h"
 #include "ui/pages/page.h"
 
 namespace pages {
@@ -14,7 +13,7 @@ class RemoteChanges : public QObject
 
 public:
     /// All of them must outlive it; boxes open above `window`.
-    RemoteChanges(const Context &context, FileOrders &orders, files::TransferQueue &queue, QWidget *window);
+    RemoteChanges(const Context &context, QWidget *window);
 
     /// Opens the text of a file; what is changed is compared before it is sent.
     void edit(const values::FileName &name);
@@ -28,7 +27,7 @@ private:
     void removeNow(const QList<values::FileName> &names, const QString &folderOfCopies);
 
     const Context m_context;
-    FileOrders &m_orders;
+    station::FileOrders &m_orders;
     files::TransferQueue &m_queue;
     QWidget *m_window;
 };

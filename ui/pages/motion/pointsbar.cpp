@@ -35,7 +35,7 @@ QPushButton *button(const char *name, const QString &words)
 PointsBar::PointsBar(const Context &context, QWidget *parent)
     : QWidget(parent),
       m_orders {context.station.orders},
-      m_edits {context.station.orders, {}},
+      m_edits {context.station.edits},
       m_variable {new QSpinBox},
       m_menu {new QMenu(this)},
       m_note {new widgets::Line(ui::Role::Text2, ui::Type::Body)}
@@ -109,22 +109,34 @@ void PointsBar::keep()
         m_note->setWords(tr("Only the present position of a robot can be kept, once it was read."));
         return;
     }
-    m_edits.clear();
-    m_edits.stage({variables::Kind::P, m_variable->value()}, variables::valueWith(variables::Kind::P, *m_present));
-    m_edits.apply();
+    const Reference variable {variables::Kind::P, m_variable->value()};
+    if (m_edits.isApplying()) {
+        m_note->setWords(tr("Other values are still being written."));
+        return;
+    }
+    m_edits.stage(variable, variables::valueWith(variables::Kind::P, *m_present));
+    if (!m_edits.staged().find(variable)) {
+        m_note->setWords(tr("%1 holds this position already.").arg(toString(variable)));
+        return;
+    }
+    m_keeping = variable;
+    m_edits.apply({variable});
 }
 
 void PointsBar::onApplied()
 {
-    const auto edits = m_edits.staged().edits();
-    const QString name = toString(Reference {variables::Kind::P, m_variable->value()});
-    if (edits.isEmpty())
+    const auto variable = std::exchange(m_keeping, {});
+    if (!variable)
+        return;
+    const auto *edit = m_edits.staged().find(*variable);
+    const QString name = toString(*variable);
+    if (!edit)
         m_note->setWords(tr("%1 was written and read back.").arg(name));
-    else if (edits.first().error)
-        m_note->setWords(tr("%1 was not verified: %2.").arg(name, protocol::explain(*edits.first().error)));
+    else if (edit->error)
+        m_note->setWords(tr("%1 was not verified: %2.").arg(name, protocol::explain(*edit->error)));
     else
         m_note->setWords(tr("%1 was written, but another value was read back.").arg(name));
-    m_edits.clear();
+    m_edits.discard(*variable);
 }
 
 void PointsBar::fillMenu()

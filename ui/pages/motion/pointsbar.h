@@ -47,7 +47,8 @@ private:
     void fillMenu();
 
     robot::Orders &m_orders;
-    robot::Edits m_edits;
+    robot::Edits &m_edits;
+    std::optional<variables::Reference> m_keeping; ///< Being written.
     values::PositionType m_frame = values::PositionType::Base;
     bool m_isAbsolute = true;
     std::optional<values::Position> m_present;

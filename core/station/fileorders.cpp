@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "ui/pages/files/fileorders.h"
+#include "station/fileorders.h"
 
 using files::OperationState;
 using robot::Act;
@@ -9,7 +9,7 @@ using values::ErrorKind;
 using values::FileName;
 using values::Result;
 
-namespace pages {
+namespace station {
 
 namespace {
 
@@ -118,4 +118,4 @@ QByteArrayList FileOrders::jobsInUse() const
     return isRunning && situation.job ? QByteArrayList {situation.job->name.bytes().toByteArray()} : QByteArrayList {};
 }
 
-} // namespace pages
+} // namespace station

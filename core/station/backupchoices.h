@@ -5,7 +5,7 @@
 #include "files/archive.h"
 #include "settings/notes.h"
 
-namespace pages {
+namespace station {
 
 /// Where the backups of a controller go at this computer, and which are kept.
 struct BackupChoices {
@@ -17,4 +17,4 @@ struct BackupChoices {
 [[nodiscard]] BackupChoices readBackupChoices(const settings::Notes &notes);
 void writeBackupChoices(settings::Notes notes, const BackupChoices &choices);
 
-} // namespace pages
+} // namespace station

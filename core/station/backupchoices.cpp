@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "ui/pages/files/backupchoices.h"
+#include "station/backupchoices.h"
 
 #include <QStandardPaths>
 
-namespace pages {
+namespace station {
 
 namespace {
 
@@ -32,4 +32,4 @@ void writeBackupChoices(settings::Notes notes, const BackupChoices &choices)
             {QStringLiteral("keepDays"), choices.retention.days}});
 }
 
-} // namespace pages
+} // namespace station

@@ -5,7 +5,7 @@
 #include "files/queue.h"
 #include "robot/orders.h"
 
-namespace pages {
+namespace station {
 
 /// Makes transfers that go through the door for orders: what stands against one withholds it, and each leaves its
 /// record in the journal.
@@ -40,4 +40,4 @@ private:
     robot::Orders &m_orders;
 };
 
-} // namespace pages
+} // namespace station
