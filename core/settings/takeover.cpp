@@ -12,7 +12,7 @@ namespace settings::disk {
 
 namespace {
 
-struct Texts {
+struct TakeOverTexts {
     Q_DECLARE_TR_FUNCTIONS(settings::SettingsFile)
 };
 
@@ -45,7 +45,7 @@ QString notice(const QString &path, int unreadable)
 {
     if (unreadable == 0)
         return {};
-    return Texts::tr("%n entry(ies) of the earlier settings cannot be read; they stay in %1.", nullptr, unreadable)
+    return TakeOverTexts::tr("%n entry(ies) of the earlier settings cannot be read; they stay in %1.", nullptr, unreadable)
         .arg(path);
 }
 
