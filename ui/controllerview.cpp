@@ -13,7 +13,6 @@
 #include "ui/pagecatalog.h"
 #include "ui/pagewindow.h"
 #include "ui/robotstrip.h"
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QStackedWidget>
 
@@ -64,7 +63,7 @@ ControllerView::ControllerView(std::shared_ptr<station::Station> station, const 
             m_actions.action(*m_barAction)->trigger();
     });
     const auto *contact = new FirstContact(controller(), m_station->shared.store, this);
-    connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
+    connect(contact, &FirstContact::readinessDue, this, &ControllerView::showReadiness);
     follow();
     followJournal();
     new Announcer(alarms(), protocol::TextCodec {m_station->profile().encoding}, this);
@@ -156,7 +155,7 @@ void ControllerView::follow()
     connect(&controller(), &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
     connect(&controller(), &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
     connect(&orders(), &robot::Orders::pendantLockChanged, this, &ControllerView::showLock);
-    connect(m_lockBar, &widgets::MessageBar::linkActivated, this, &ControllerView::releaseLock);
+    connect(m_lockBar, &widgets::MessageBar::linkActivated, this, [this] { releaseLock([] {}); });
     connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
 }
 
@@ -254,28 +253,12 @@ void ControllerView::hold()
     if (controller().linkState() == LinkState::Disconnected)
         show(holdWithoutLink());
     else
-        controller().hold();
+        orders().hold();
 }
 
-void ControllerView::showReadiness() { openReadiness(true); }
-
-/// Under the strip, so that HOLD stays in sight. Unasked it takes no focus from whatever the person is at.
-void ControllerView::openReadiness(bool isAsked)
+void ControllerView::showReadiness()
 {
-    auto *sheet = findChild<dialogs::ReadinessSheet *>();
-    if (!sheet) {
-        sheet = new dialogs::ReadinessSheet(orders(), m_station->numbering, m_station->shared.store, this);
-        sheet->setAttribute(Qt::WA_ShowWithoutActivating, !isAsked);
-        const int room = height() - space::strip - 2 * space::page;
-        sheet->resize(sheet->width(), std::min(sheet->height(), room));
-        sheet->move(mapToGlobal(QPoint((width() - sheet->width()) / 2, space::strip + space::page)));
-    }
-    QWidget *inFront = isAsked ? sheet : QApplication::activeWindow();
-    sheet->show();
-    if (isAsked)
-        sheet->raise();
-    if (inFront)
-        inFront->activateWindow(); // not every desktop heeds the attribute
+    (new dialogs::ReadinessSheet(orders(), m_station->numbering, m_station->shared.store, this))->show();
 }
 
 void ControllerView::show(const Notice &notice)
@@ -341,14 +324,15 @@ void ControllerView::followJournal()
         fail(journal.trouble());
 }
 
-void ControllerView::releaseLock()
+void ControllerView::releaseLock(const std::function<void()> &then)
 {
-    orders().send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, [this](const values::Result<void> &result) {
-        if (!result) {
-            const auto text = explain(robot::Act::HlockOff, result.error(), m_station->profile().model);
-            show({{widgets::Severity::Warning, text, {}}, {}});
-        }
-    });
+    const auto onEnd = [this, then](const values::Result<void> &result) {
+        if (result)
+            return then();
+        const auto text = explain(robot::Act::HlockOff, result.error(), m_station->profile().model);
+        show({{widgets::Severity::Warning, text, {}}, {}});
+    };
+    orders().send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, onEnd);
 }
 
 void ControllerView::showLink()

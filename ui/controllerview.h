@@ -62,8 +62,8 @@ public:
     void showReadiness();
     /// Orders HOLD at once, or says why it cannot be ordered.
     void hold();
-    /// Orders HLOCK off, or says why it cannot be ordered.
-    void releaseLock();
+    /// Orders HLOCK off and calls `then` when that is done, or says why it cannot be done.
+    void releaseLock(const std::function<void()> &then);
     /// Shows a message until the link has something new to say.
     void show(const Notice &notice);
     using QWidget::show;
@@ -92,7 +92,6 @@ private:
     void showLink();
     void showLock();
     void followJournal();
-    void openReadiness(bool isAsked);
 
     std::shared_ptr<station::Station> m_station;
     const Actions &m_actions;

@@ -12,11 +12,12 @@
 #include "ui/dialogs/helpdialog.h"
 #include "ui/holdkey.h"
 #include "ui/icons.h"
+#include "ui/widgets/question.h"
+#include "ui/widgets/sheetlayer.h"
 #include "ui/widgets/text.h"
 #include <QApplication>
 #include <QCloseEvent>
 #include <QLocale>
-#include <QMessageBox>
 #include <QScreen>
 #include <QStatusBar>
 
@@ -30,7 +31,8 @@ MainWindow::MainWindow(station::Shared shared, StartDemo startDemo, QWidget *par
       m_startDemo {std::move(startDemo)},
       m_actions {new Actions(this)},
       m_level {widgets::text({}, Type::Label, Role::Text2)},
-      m_requests {widgets::text({}, Type::Label, Role::Text2)}
+      m_requests {widgets::text({}, Type::Label, Role::Text2)},
+      m_sheets {new widgets::SheetLayer(this, space::strip)}
 {
     setWindowIcon(applicationIcon());
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
@@ -40,7 +42,7 @@ MainWindow::MainWindow(station::Shared shared, StartDemo startDemo, QWidget *par
         if (const auto profile = m_shared.store.find(name))
             connectTo(*profile);
     });
-    connect(new HoldKey(this), &HoldKey::pressed, this, [this] { run(ActionId::Hold); });
+    new HoldKey(this);
     offer({});
 }
 
@@ -64,43 +66,33 @@ void MainWindow::openAccessMenu()
         badge->showMenu();
 }
 
-/// HLOCK outlives this program: the person at the pendant would stand there locked out.
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    const bool isLocked = m_view->orders().isPendantLocked() && !m_isLeavingLocked;
-    if (!isLocked && (m_isLeaving || m_view->unfinished().isEmpty()))
+    if (m_isLeaving || (!m_view->orders().isPendantLocked() && m_view->unfinished().isEmpty()))
         return QMainWindow::closeEvent(event);
     event->ignore();
-    if (isLocked)
-        return offerRelease();
-    leavePages([this] {
+    leave([this] {
         m_isLeaving = true;
         close();
     });
 }
 
-void MainWindow::offerRelease()
+/// Goes on at once if nothing would be left behind, else as the person says.
+void MainWindow::leave(const std::function<void()> &then)
 {
-    if (findChild<QMessageBox *>(QStringLiteral("releaseLockBox")))
-        return;
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("HLOCK is on"),
-        tr("HLOCK is still on at %1: the pendant stays locked out after closing.").arg(controller().profile().name),
-        QMessageBox::Cancel, this);
-    box->setObjectName(QStringLiteral("releaseLockBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    auto *release = box->addButton(tr("Release HLOCK and close"), QMessageBox::AcceptRole);
-    auto *leave = box->addButton(tr("Close and leave it on"), QMessageBox::DestructiveRole);
-    release->setObjectName(QStringLiteral("releaseLock"));
-    leave->setObjectName(QStringLiteral("leaveLock"));
-    connect(release, &QAbstractButton::clicked, m_view, [this] {
-        m_view->releaseLock();
-        connect(&m_view->orders(), &robot::Orders::pendantLockChanged, this, &QWidget::close);
-    });
-    connect(leave, &QAbstractButton::clicked, this, [this] {
-        m_isLeavingLocked = true;
-        close();
-    });
-    box->open();
+    leaveLock([this, then] { leavePages(then); });
+}
+
+/// HLOCK outlives this program: the person at the pendant would stand there locked out.
+void MainWindow::leaveLock(const std::function<void()> &then)
+{
+    if (!m_view->orders().isPendantLocked())
+        return then();
+    widgets::ask("releaseLockBox", tr("HLOCK is on"),
+        tr("HLOCK is still on at %1: the pendant stays locked out if you go on.").arg(controller().profile().name),
+        {{"releaseLock", tr("Release HLOCK and go on"), [this, then] { m_view->releaseLock(then); }},
+            {"leaveLock", tr("Go on and leave it on"), then}},
+        this);
 }
 
 void MainWindow::offer(const settings::Profile &profile)
@@ -127,12 +119,11 @@ void MainWindow::show(std::shared_ptr<station::Station> station)
     }
     m_view = new ControllerView(std::move(station), *m_actions);
     setCentralWidget(m_view);
+    m_sheets->raise();
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
     connect(&m_view->station()->access, &robot::Access::levelChanged, m_view, [this] { showLevel(); });
     showLevel();
-    connect(m_view, &ControllerView::pageOpened, this, &MainWindow::showHelpOf);
-    showHelpOf(m_view->pageInView());
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
     const settings::Profile &profile = controller().profile();
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));
@@ -153,8 +144,7 @@ void MainWindow::translate()
 {
     const int row = m_view->openRow();
     disarm(robot::Arming::Drop::LanguageChanged);
-    for (QDialog *dialog : findChildren<QDialog *>(QString(), Qt::FindDirectChildrenOnly))
-        dialog->close();
+    m_sheets->clear();
     m_actions->translate();
     controller().disconnect(this);
     show(m_view->station());
@@ -167,15 +157,8 @@ void MainWindow::leavePages(const std::function<void()> &then)
     const QStringList losses = m_view->unfinished();
     if (losses.isEmpty())
         return then();
-    auto *box = new QMessageBox(
-        QMessageBox::NoIcon, tr("Something is unfinished"), losses.join(u'\n'), QMessageBox::Cancel, this);
-    box->setObjectName(QStringLiteral("unfinishedBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setDefaultButton(QMessageBox::Cancel);
-    auto *goOn = box->addButton(tr("Go on and lose it"), QMessageBox::DestructiveRole);
-    goOn->setObjectName(QStringLiteral("loseUnfinished"));
-    connect(goOn, &QAbstractButton::clicked, this, then);
-    box->open();
+    widgets::ask("unfinishedBox", tr("Something is unfinished"), losses.join(u'\n'),
+        {{"loseUnfinished", tr("Go on and lose it"), then}}, this);
 }
 
 /// The windows that stood open the last time, and from now on what is opened and closed is kept.
@@ -189,7 +172,7 @@ void MainWindow::restoreWindows()
 
 void MainWindow::connectTo(const settings::Profile &profile)
 {
-    leavePages([this, profile] {
+    leave([this, profile] {
         offer(profile);
         if (m_shared.store.find(profile.name))
             m_shared.store.setLastUsed(profile.name);
@@ -214,7 +197,7 @@ void MainWindow::run(ActionId id)
     case ActionId::Access: return openAccessMenu();
     case ActionId::Connect: return openConnectionDialog();
     case ActionId::Reconnect: return controller().open();
-    case ActionId::Disconnect: return controller().close();
+    case ActionId::Disconnect: return leave([this] { controller().close(); });
     case ActionId::Demo: return openDemo();
     case ActionId::Diagnose: return openDiagnosis();
     case ActionId::CopyDiagnosis: return copyDiagnosis();
@@ -233,27 +216,11 @@ void MainWindow::openConnectionDialog()
         connect(m_connectionDialog, &dialogs::ConnectionDialog::connectRequested, this, &MainWindow::connectTo);
     }
     m_connectionDialog->show();
-    m_connectionDialog->raise();
 }
 
 void MainWindow::openDiagnosis() { (new dialogs::DiagnosisDialog(controller().profile(), this))->show(); }
 
-void MainWindow::openHelp()
-{
-    auto *help = findChild<dialogs::HelpDialog *>();
-    if (!help)
-        help = new dialogs::HelpDialog(m_view->pageInView(), this);
-    help->show();
-    help->raise();
-    help->activateWindow();
-}
-
-/// While the help is open it follows the page.
-void MainWindow::showHelpOf(int page)
-{
-    if (auto *help = findChild<dialogs::HelpDialog *>())
-        help->showPage(page);
-}
+void MainWindow::openHelp() { (new dialogs::HelpDialog(m_view->pageInView(), this))->show(); }
 
 void MainWindow::copyDiagnosis()
 {
@@ -266,7 +233,7 @@ void MainWindow::openAppearance()
 {
     auto *dialog = new dialogs::AppearanceDialog(m_shared.store.appearance(), this);
     connect(dialog, &dialogs::AppearanceDialog::chosen, this, &MainWindow::wear);
-    dialog->open();
+    dialog->show();
 }
 
 void MainWindow::wear(const settings::Appearance &wanted)
@@ -278,19 +245,16 @@ void MainWindow::wear(const settings::Appearance &wanted)
     if (wanted.language == m_shared.store.appearance().language)
         change(); // no page is made anew
     else
-        leavePages(change);
+        leave(change);
 }
 
 void MainWindow::showAbout()
 {
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("About Pendesk"),
+    widgets::ask("aboutBox", tr("About Pendesk"),
         tr("Pendesk %1\n\nA teach and monitor desk for Yaskawa robot controllers.\nFree software under the GNU General "
            "Public License, version 3 or later.\n\nHOLD is a software hold over the network, not a safety function.")
             .arg(QCoreApplication::applicationVersion()),
-        QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setModal(false);
-    box->show();
+        {}, this);
 }
 
 void MainWindow::onLinkStateChanged()

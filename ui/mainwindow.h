@@ -18,6 +18,10 @@ namespace dialogs {
 class ConnectionDialog;
 }
 
+namespace widgets {
+class SheetLayer;
+}
+
 namespace ui {
 
 /// The window. It shows one controller at a time, which can be exchanged for another.
@@ -52,16 +56,16 @@ private:
     void show(std::shared_ptr<station::Station> station);
     void translate();
     void disarm(robot::Arming::Drop reason);
+    void leave(const std::function<void()> &then);
+    void leaveLock(const std::function<void()> &then);
     void leavePages(const std::function<void()> &then);
     void openAppearance();
     void wear(const settings::Appearance &wanted);
     void restoreWindows();
     void openAccessMenu();
-    void offerRelease();
     void openConnectionDialog();
     void openDiagnosis();
     void openHelp();
-    void showHelpOf(int page);
     void copyDiagnosis();
     void showAbout();
     void makeStatusBar();
@@ -76,8 +80,8 @@ private:
     QLabel *m_level;
     QLabel *m_requests;
     QPointer<dialogs::ConnectionDialog> m_connectionDialog;
-    bool m_isLeavingLocked = false; ///< The person said to close with HLOCK on.
-    bool m_isLeaving = false; ///< The person said to close and lose what is unfinished.
+    widgets::SheetLayer *m_sheets;
+    bool m_isLeaving = false; ///< Everything was asked: the window closes.
 };
 
 } // namespace ui

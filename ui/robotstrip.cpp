@@ -101,7 +101,7 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
     m_row->addWidget(m_link);
     m_row->addWidget(m_hold);
     m_hold->setObjectName(QStringLiteral("holdButton"));
-    connect(m_hold, &QAbstractButton::pressed, this, &RobotStrip::holdRequested);
+    connect(m_hold, &widgets::HoldButton::holdRequested, this, &RobotStrip::holdRequested);
     connect(&state, &robot::RobotState::changed, this, &RobotStrip::onChanged);
     showLink({});
     showStatus();

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/dialogs/applydialog.h"
 
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/text.h"
@@ -36,12 +35,9 @@ QStandardItemModel *modelOf(const robot::Edits &edits, const variables::Format &
 
 ApplyDialog::ApplyDialog(
     robot::Edits &edits, const QString &controller, const variables::Format &format, QWidget *parent)
-    : QDialog(parent)
+    : DialogSheet(parent)
 {
-    setAttribute(Qt::WA_DeleteOnClose);
-    setModal(true);
     setObjectName(QStringLiteral("applyDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Apply — %1").arg(controller));
     const auto list = edits.staged().toApply();
     const bool hasPositions =

@@ -12,7 +12,7 @@ namespace dialogs {
 
 CompareDialog::CompareDialog(const QString &title, const QByteArray &older, const QByteArray &newer,
     const protocol::TextCodec &codec, const QString &goOn, QWidget *parent)
-    : QDialog(parent)
+    : DialogSheet(parent)
 {
     setObjectName(QStringLiteral("compareDialog"));
     setWindowTitle(title);

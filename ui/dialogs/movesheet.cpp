@@ -4,7 +4,6 @@
 
 #include "motion/geometry.h"
 #include "ui/conditionwords.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/rows.h"
 #include "ui/widgets/startbutton.h"
 #include "ui/widgets/text.h"
@@ -59,7 +58,7 @@ values::ControlGroup groupOf(values::ControlGroup watched)
 
 MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const motion::Present &present,
     const motion::Limits &limits, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_orders {orders},
       m_present {present},
       m_move {new Move(orders, plan, present, this)},
@@ -71,9 +70,7 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
       m_stop {new QPushButton(tr("Stop: HOLD"))},
       m_close {new QPushButton(tr("Cancel"))}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("moveSheet"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Move at %1").arg(orders.controller().profile().name));
     setMinimumWidth(680); // a place in one line
     makeWidgets();

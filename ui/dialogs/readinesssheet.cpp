@@ -34,14 +34,13 @@ constexpr Topic variableAsked {robot::Kind::ByteVariable, 1};
 
 ReadinessSheet::ReadinessSheet(
     robot::Orders &orders, robot::NumberingGuard &guard, settings::ProfileStore &store, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_orders {orders},
       m_guard {guard},
       m_store {store},
       m_link {widgets::sentence({}, ui::Role::Text2)},
       m_ladder {new LadderView(this)}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("readinessSheet"));
     const QString name = orders.controller().profile().name;
     setWindowTitle(tr("Readiness — %1").arg(name));

@@ -30,7 +30,7 @@ QPushButton *restoreButton(const QString &text, const char *name)
 
 RestoreDialog::RestoreDialog(
     const settings::Profile &profile, const QDateTime &taken, const QList<RestoreItem> &plan, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_profile {profile},
       m_plan {plan},
       m_identity {widgets::sentence({}, ui::Role::Text1)},

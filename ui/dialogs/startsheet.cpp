@@ -3,7 +3,6 @@
 #include "ui/dialogs/startsheet.h"
 
 #include "ui/conditionwords.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/rows.h"
 #include "ui/widgets/startbutton.h"
 #include "ui/widgets/text.h"
@@ -21,7 +20,7 @@ using values::Status;
 namespace dialogs {
 
 StartSheet::StartSheet(robot::Orders &orders, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_orders {orders},
       m_rows {new widgets::Rows(Qt::AlignLeft)},
       m_reason {widgets::sentence({}, ui::Role::Amber)},
@@ -30,11 +29,8 @@ StartSheet::StartSheet(robot::Orders &orders, QWidget *parent)
       m_start {new widgets::StartButton(tr("Start"))},
       m_close {new QPushButton(tr("Cancel"))}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("startSheet"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Start at %1").arg(orders.controller().profile().name));
-    setWindowModality(Qt::WindowModal);
     setMinimumWidth(440);
     makeWidgets();
     m_guard.setSingleShot(true);

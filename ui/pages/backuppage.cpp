@@ -10,11 +10,11 @@
 #include "ui/pages/files/comparisoncard.h"
 #include "ui/pages/files/parts.h"
 #include "ui/pages/files/timeline.h"
+#include "ui/widgets/filesheet.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/orderbutton.h"
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QtConcurrent>
@@ -163,9 +163,8 @@ void BackupPage::setRoot(const QString &root)
 
 void BackupPage::chooseFolder()
 {
-    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Folder of the backups"), m_root);
-    if (!chosen.isEmpty())
-        setRoot(chosen);
+    widgets::askForPath({"backupFolderDialog", widgets::PathKind::Folder, tr("Folder of the backups"), m_root}, this,
+        [this](const QString &chosen) { setRoot(chosen); });
 }
 
 files::Retention BackupPage::retention() const { return {m_keep->value(), m_keepDays->value()}; }
@@ -249,9 +248,9 @@ void BackupPage::exportChosen()
     if (!entry)
         return;
     const QString name = QDir::home().filePath(entry->id + QStringLiteral(".zip"));
-    const QString target = QFileDialog::getSaveFileName(this, tr("Export the backup"), name, tr("Zip files (*.zip)"));
-    if (!target.isEmpty())
-        exportTo(target);
+    widgets::askForPath({"backupExportDialog", widgets::PathKind::NewFile, tr("Export the backup"), name,
+                            {tr("Zip files (*.zip)")}, QStringLiteral("zip")},
+        this, [this](const QString &target) { exportTo(target); });
 }
 
 void BackupPage::exportTo(const QString &target)
@@ -340,7 +339,6 @@ void BackupPage::planRestore()
         const auto plan = files::planRestore(bag.files(), now, {{}, m_orders.jobsInUse(), isOther});
         auto *dialog = new dialogs::RestoreDialog(m_context.station.profile(), bag.info().taken, plan, this);
         dialog->showIdentity(identity);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &dialogs::RestoreDialog::confirmed, this, [this, bag, dialog](const auto &chosenPlan) {
             if (session::FileSession *files = m_context.station.controller.files())
                 dialog->follow(std::make_unique<files::Restore>(
@@ -349,7 +347,7 @@ void BackupPage::planRestore()
         connect(dialog, &dialogs::RestoreDialog::tried, this,
             [this](const files::Upload *upload) { m_orders.note(*upload, Act::Upload); });
         connect(dialog, &QDialog::finished, this, &BackupPage::reload);
-        dialog->open();
+        dialog->show();
     });
 }
 

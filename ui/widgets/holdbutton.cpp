@@ -22,6 +22,7 @@ HoldButton::HoldButton(QWidget *parent) : QAbstractButton(parent)
     setAccessibleName(tr("HOLD (software)"));
     setFocusPolicy(Qt::TabFocus);
     setCaption(tr("software hold · Pause key"));
+    connect(this, &QAbstractButton::pressed, this, &HoldButton::holdRequested);
 }
 
 void HoldButton::setCaption(const QString &caption)

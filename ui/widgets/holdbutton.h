@@ -20,6 +20,10 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
+Q_SIGNALS:
+    /// HOLD was asked for: by the button going down, or by whoever emits this for it, such as the HOLD key.
+    void holdRequested();
+
 protected:
     void paintEvent(QPaintEvent *event) override;
 
