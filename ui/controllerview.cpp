@@ -19,7 +19,6 @@
 namespace ui {
 
 using namespace std::chrono_literals;
-using robot::HoldProgress;
 using robot::LinkState;
 
 namespace {
@@ -152,7 +151,7 @@ void ControllerView::follow()
     connect(m_rail, &NavigationRail::pageChosen, this, &ControllerView::openPage);
     connect(&controller(), &Controller::linkStateChanged, this, &ControllerView::onLinkChanged);
     connect(&controller(), &Controller::troubleChanged, this, &ControllerView::onLinkChanged);
-    connect(&controller(), &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
+    connect(&controller(), &Controller::holdStateChanged, this, &ControllerView::onHoldStateChanged);
     connect(&controller(), &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
     connect(&orders(), &robot::Orders::pendantLockChanged, this, &ControllerView::showLock);
     connect(m_lockBar, &widgets::MessageBar::linkActivated, this, [this] { releaseLock([] {}); });
@@ -265,8 +264,8 @@ void ControllerView::show(const Notice &notice)
 {
     m_barAction = notice.action;
     m_bar->show(notice.message);
-    const bool isPassing = notice.message.severity == widgets::Severity::Notice
-        && controller().linkState() == LinkState::Monitoring && controller().holdProgress() != HoldProgress::Sent;
+    const bool isPassing =
+        notice.message.severity == widgets::Severity::Notice && controller().linkState() == LinkState::Monitoring;
     if (isPassing && !notice.message.text.isEmpty())
         m_fade.start();
     else
@@ -276,14 +275,18 @@ void ControllerView::show(const Notice &notice)
 void ControllerView::onLinkChanged()
 {
     showLink();
-    show(noticeOf(linkView(controller()), m_station->profile()));
+    m_linkNotice = noticeOf(linkView(controller()), m_station->profile());
+    show(m_linkNotice);
 }
 
-void ControllerView::onHoldProgressChanged()
+/// What the bar says stays, unless this changes it.
+void ControllerView::onHoldStateChanged()
 {
-    onLinkChanged();
-    if (controller().holdProgress() == HoldProgress::Confirmed && controller().linkState() == LinkState::Monitoring)
-        show(holdConfirmed());
+    const Notice notice = noticeOf(linkView(controller()), m_station->profile());
+    if (notice.message.text != m_linkNotice.message.text)
+        onLinkChanged();
+    else
+        showLink();
 }
 
 void ControllerView::onStatisticsChanged()

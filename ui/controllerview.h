@@ -87,7 +87,7 @@ private:
     void follow();
     void readFor(const pages::Page *page);
     void onLinkChanged();
-    void onHoldProgressChanged();
+    void onHoldStateChanged();
     void onStatisticsChanged();
     void showLink();
     void showLock();
@@ -105,6 +105,7 @@ private:
     robot::Poller::Interest m_stripInterest;
     QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.
     std::optional<ActionId> m_barAction;
+    Notice m_linkNotice; ///< What the link and HOLD had to say last.
     QTimer m_fade; ///< Takes away what need not be read twice.
 };
 

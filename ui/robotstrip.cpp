@@ -14,7 +14,7 @@
 
 namespace ui {
 
-using robot::HoldProgress;
+using robot::HoldWord;
 using robot::LinkState;
 using widgets::Lamp;
 using widgets::StateField;
@@ -66,16 +66,13 @@ QWidget *originOf(const settings::Profile &profile)
     return mark;
 }
 
-QString caption(HoldProgress progress)
+/// Everything that can stand under HOLD.
+QStringList captions()
 {
-    switch (progress) {
-    case HoldProgress::Sent: return RobotStrip::tr("HOLD sent…");
-    case HoldProgress::Confirmed: return RobotStrip::tr("HOLD confirmed");
-    case HoldProgress::Refused: return RobotStrip::tr("HOLD refused");
-    case HoldProgress::Unconfirmed: return RobotStrip::tr("not confirmed");
-    case HoldProgress::Idle: break;
-    }
-    return RobotStrip::tr("software hold · Pause key");
+    QStringList result;
+    for (int word = 0; word <= int(HoldWord::Released); ++word)
+        result << holdCaption({HoldWord(word)});
+    return result;
 }
 
 } // namespace
@@ -101,6 +98,7 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
     m_row->addWidget(m_link);
     m_row->addWidget(m_hold);
     m_hold->setObjectName(QStringLiteral("holdButton"));
+    m_hold->makeRoomFor(captions());
     connect(m_hold, &widgets::HoldButton::holdRequested, this, &RobotStrip::holdRequested);
     connect(&state, &robot::RobotState::changed, this, &RobotStrip::onChanged);
     showLink({});
@@ -189,7 +187,7 @@ void RobotStrip::showJob()
 void RobotStrip::showLink(const LinkView &link)
 {
     m_linkView = link;
-    m_hold->setCaption(caption(link.hold));
+    m_hold->setCaption(holdCaption(link.hold));
     showLinkCell();
 }
 

@@ -56,7 +56,7 @@ ApplyDialog::ApplyDialog(
     auto *apply = buttons->addButton(tr("Write %n value(s)", nullptr, int(list.size())), QDialogButtonBox::AcceptRole);
     apply->setObjectName(QStringLiteral("applyConfirm"));
     apply->setProperty("primary", true);
-    apply->setAutoDefault(false);
+    widgets::writing(apply);
     buttons->button(QDialogButtonBox::Cancel)->setDefault(true); // Enter writes nothing
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
@@ -70,8 +70,8 @@ ApplyDialog::ApplyDialog(
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this, &edits] {
-        edits.apply();
         accept();
+        edits.apply();
     });
 }
 

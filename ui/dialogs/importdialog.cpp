@@ -94,8 +94,8 @@ ImportDialog::ImportDialog(
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this, differences = preview.differences] {
-        Q_EMIT differencesAccepted(differences);
         accept();
+        Q_EMIT differencesAccepted(differences);
     });
 }
 

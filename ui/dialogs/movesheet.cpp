@@ -79,6 +79,7 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
     m_points = orders.controller().poller().want({robot::TopicRange(Kind::PositionVariable, 0, points - 1)});
     m_guard.setSingleShot(true);
     m_guard.setInterval(1s);
+    m_guard.setTimerType(Qt::PreciseTimer);
     connect(&m_guard, &QTimer::timeout, this, [this] {
         m_isGuarded = false;
         update();
@@ -111,6 +112,7 @@ void MoveSheet::makeWidgets()
     m_rows->add(QStringLiteral("sheetBox"), tr("Box"));
     m_rows->add(QStringLiteral("sheetNear"), tr("Stored points near the target"));
     m_reason->setObjectName(QStringLiteral("sheetReason"));
+    m_reason->setMinimumHeight(2 * m_reason->fontMetrics().lineSpacing()); // whether or not there is one
     m_outcome->setObjectName(QStringLiteral("sheetOutcome"));
     m_name->setObjectName(QStringLiteral("sheetName"));
     m_go->setObjectName(QStringLiteral("sheetMove"));
@@ -246,7 +248,6 @@ void MoveSheet::update()
     m_reason->setText(obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model)
             : isAway           ? tr("The robot is no longer where this move begins: close, and rehearse again.")
                                : QString());
-    m_reason->setVisible(!m_reason->text().isEmpty());
     const bool isPossible = !obstacle && !isAway;
     if (std::exchange(m_isPossible, isPossible) != isPossible) {
         m_isGuarded = true;
@@ -287,7 +288,7 @@ void MoveSheet::onPlace(const values::Result<Position> &position)
         return update();
     }
     m_name->hide();
-    m_reason->hide();
+    m_reason->clear();
     m_close->setText(tr("Close"));
     m_move->start();
     showOutcome();

@@ -31,6 +31,10 @@ OverwriteDialog::OverwriteDialog(
         addButton(row, tr("&Keep both"), "keepBoth", Choice::KeepBoth);
     addButton(row, tr("&Skip"), "skip", Choice::Skip, true);
     column->addLayout(row);
+    for (const char *answer : {"replace", "keepBoth"}) {
+        if (auto *button = findChild<QPushButton *>(QLatin1String(answer)))
+            widgets::writing(button);
+    }
     findChild<QPushButton *>(QStringLiteral("skip"))->setFocus();
 }
 

@@ -93,8 +93,8 @@ PositionDialog::PositionDialog(robot::Orders &orders, const variables::Reference
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
         if (const auto typed = position()) {
-            Q_EMIT valueAccepted(variables::valueWith(m_variable.kind, *typed));
             accept();
+            Q_EMIT valueAccepted(variables::valueWith(m_variable.kind, *typed));
         }
     });
     fill(value ? *variables::positionOf(*value) : Position {});

@@ -105,7 +105,7 @@ void ReadinessSheet::follow()
     const robot::Controller &controller = m_orders.controller();
     connect(&m_orders, &robot::Orders::situationChanged, this, &ReadinessSheet::showFacts);
     connect(&controller, &robot::Controller::linkStateChanged, this, &ReadinessSheet::onLinkStateChanged);
-    connect(&controller, &robot::Controller::holdProgressChanged, this, &ReadinessSheet::showFacts);
+    connect(&controller, &robot::Controller::holdOrderChanged, this, &ReadinessSheet::showFacts);
     connect(&controller.state(), &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
         using namespace robot::topics;
         const auto concerns = [&range](Topic topic) { return range.contains(topic); };

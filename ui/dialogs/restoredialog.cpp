@@ -75,6 +75,8 @@ RestoreDialog::RestoreDialog(
     column->addLayout(buttons);
     for (const RestoreItem &item : plan)
         addItem(item);
+    widgets::writing(m_go);
+    widgets::writing(m_putBack);
     m_putBack->hide();
     m_close->setFocus();
     connect(m_items, &QTreeWidget::itemChanged, this, &RestoreDialog::countChosen);

@@ -92,6 +92,7 @@ void ArmControl::showState()
     m_arm->setEnabled(isPossible || m_arm->isDown()); // while it is held, the end of the second decides
     m_disarm->setVisible(isArmed);
     m_why->setVisible(!isArmed);
+    m_why->setText(isPossible ? tr("Conditions") : tr("Why not?"));
     m_reason->setText(reason());
     m_reason->setVisible(!m_reason->text().isEmpty());
 }

@@ -31,13 +31,21 @@ void HoldButton::setCaption(const QString &caption)
         return;
     m_caption = caption;
     setAccessibleDescription(caption);
-    updateGeometry();
+    makeRoomFor({caption});
     update();
+}
+
+void HoldButton::makeRoomFor(const QStringList &captions)
+{
+    const QFontMetrics metrics(ui::font(ui::Type::Label));
+    for (const QString &caption : captions)
+        m_captionRoom = std::max(m_captionRoom, metrics.horizontalAdvance(caption));
+    updateGeometry();
 }
 
 QSize HoldButton::sizeHint() const
 {
-    const int caption = QFontMetrics(ui::font(ui::Type::Label)).horizontalAdvance(m_caption) + 22;
+    const int caption = m_captionRoom + 22;
     const int word = fontMetrics().horizontalAdvance(text()) + 70;
     return {std::max({leastWidth, caption, word}), tallness};
 }

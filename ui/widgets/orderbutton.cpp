@@ -4,6 +4,7 @@
 
 #include "ui/conditionwords.h"
 #include "ui/dialogs/whynotdialog.h"
+#include "ui/widgets/dialogsheet.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/text.h"
 #include <QPushButton>
@@ -31,7 +32,7 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
 {
     const auto name = QLatin1String(robot::key(act));
     m_button->setObjectName(name);
-    m_button->setAutoDefault(false);
+    writing(m_button);
     m_why->setObjectName(QLatin1String("why-") + name);
     m_why->setAutoDefault(false);
     m_why->setProperty("link", true);
@@ -88,13 +89,23 @@ void OrderButton::update()
     const auto obstacle = m_orders.obstacle(m_act);
     const QString reason = obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model) : m_complaint;
     m_button->setText(m_agrees ? tr("%1: pending…").arg(m_text) : m_text);
-    m_button->setEnabled(reason.isEmpty() && !m_agrees);
+    setPressable(reason.isEmpty() && !m_agrees);
     m_button->setToolTip(reason);
     m_button->setAccessibleDescription(reason);
     m_why->setText(obstacle ? tr("Why not?") : tr("Conditions"));
     m_why->setAccessibleName(tr("Conditions of: %1").arg(m_text));
     m_reason->setText(reason);
     m_reason->setVisible(m_place == Reason::Below && !reason.isEmpty());
+}
+
+/// A button that cannot be pressed cannot have the focus: this keeps its place meanwhile.
+void OrderButton::setPressable(bool isPressable)
+{
+    if (!isPressable && m_button->hasFocus())
+        setFocus(Qt::OtherFocusReason);
+    m_button->setEnabled(isPressable);
+    if (isPressable && hasFocus())
+        m_button->setFocus(Qt::OtherFocusReason);
 }
 
 void OrderButton::openConditions()

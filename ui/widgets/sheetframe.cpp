@@ -9,6 +9,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QLayout>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -25,6 +26,7 @@ SheetFrame::SheetFrame(DialogSheet *sheet, SheetLayer *layer)
     : QFrame(layer),
       m_layer {layer},
       m_sheet {sheet},
+      m_first {sheet->focusWidget()},
       m_title {text(sheet->windowTitle(), ui::Type::Heading, ui::Role::Text2)},
       m_scroll {new QScrollArea},
       m_wanted {sheet->testAttribute(Qt::WA_Resized) ? sheet->size() : sheet->sizeHint()}
@@ -109,12 +111,17 @@ void SheetFrame::takeFocus()
 {
     if (!m_sheet)
         return;
-    QWidget *last = m_sheet->focusWidget();
-    if (last && last != m_sheet && last->isVisibleTo(m_sheet) && last->isEnabled())
-        return last->setFocus(Qt::OtherFocusReason);
+    const auto mayHaveFocus = [this](QWidget *widget) {
+        const auto *button = qobject_cast<QPushButton *>(widget);
+        return widget != m_sheet && m_sheet->isAncestorOf(widget) && (widget->focusPolicy() & Qt::TabFocus)
+            && widget->isVisibleTo(m_sheet) && widget->isEnabled() && !(button && isWriting(button));
+    };
+    for (QWidget *widget : {m_sheet->focusWidget(), m_first.data()}) {
+        if (widget && mayHaveFocus(widget))
+            return widget->setFocus(Qt::OtherFocusReason);
+    }
     for (QWidget *next = m_sheet->nextInFocusChain(); next != m_sheet; next = next->nextInFocusChain()) {
-        if (m_sheet->isAncestorOf(next) && (next->focusPolicy() & Qt::TabFocus) && next->isVisibleTo(m_sheet)
-            && next->isEnabled())
+        if (mayHaveFocus(next))
             return next->setFocus(Qt::OtherFocusReason);
     }
     m_sheet->setFocusPolicy(Qt::StrongFocus); // so that Escape is heard

@@ -38,6 +38,8 @@ private:
 
     SheetLayer *m_layer;
     QPointer<DialogSheet> m_sheet;
+    QPointer<QWidget>
+        m_first; ///< What the dialog gave the focus to while it was made; it forgets that in a new window.
     QLabel *m_title;
     QScrollArea *m_scroll;
     QSize m_wanted; ///< The size that the dialog asked for, or has grown to.

@@ -24,7 +24,8 @@ void RemoteChanges::edit(const FileName &name)
 
 void RemoteChanges::openEditor(const FileName &name, const QByteArray &content)
 {
-    auto *editor = new dialogs::JobEditor(name, content, protocol::TextCodec {m_context.station.profile().encoding}, m_window);
+    auto *editor =
+        new dialogs::JobEditor(name, content, protocol::TextCodec {m_context.station.profile().encoding}, m_window);
     connect(editor, &dialogs::JobEditor::sendRequested, this,
         [this, editor, name, content](const QByteArray &edited) { compareAndSend(name, content, edited, editor); });
     editor->show();
