@@ -32,7 +32,7 @@ void ArmBadge::showArming()
     if (!m_orders.isArmed())
         return m_clock.stop();
     m_clock.start(1s);
-    const auto left = m_orders.arming().remaining(std::chrono::steady_clock::now());
+    const auto left = m_orders.arming().remaining(values::now());
     const int seconds = int(std::chrono::ceil<std::chrono::seconds>(left).count());
     setText(tr("ARMED · %1 s").arg(seconds));
     setAccessibleName(tr("Armed for %n more second(s). Press to disarm.", nullptr, seconds));

@@ -46,6 +46,7 @@ constexpr ConditionWords conditionWords[] {
     {Condition::NotHeldExternally, QT_TRANSLATE_NOOP("Conditions", "Held by an external signal"), QT_TRANSLATE_NOOP("Conditions", "release it where that signal comes from")},
     {Condition::NotHeldByCommand, QT_TRANSLATE_NOOP("Conditions", "Held by a command"), QT_TRANSLATE_NOOP("Conditions", "release HOLD on the Jobs page")},
     {Condition::HeldByCommand, QT_TRANSLATE_NOOP("Conditions", "No command holds the robot"), QT_TRANSLATE_NOOP("Conditions", "there is nothing to release from here")},
+    {Condition::HasError, QT_TRANSLATE_NOOP("Conditions", "The controller shows no error"), QT_TRANSLATE_NOOP("Conditions", "there is nothing to cancel")},
     {Condition::ServoOn, QT_TRANSLATE_NOOP("Conditions", "Servo power is off"), QT_TRANSLATE_NOOP("Conditions", "switch servo on")},
     {Condition::NotRunning, QT_TRANSLATE_NOOP("Conditions", "A job is running"), QT_TRANSLATE_NOOP("Conditions", "wait until it has ended, or hold it")},
     {Condition::JobSet, QT_TRANSLATE_NOOP("Conditions", "No job is selected"), QT_TRANSLATE_NOOP("Conditions", "select one on the Jobs page")},
@@ -197,6 +198,8 @@ QString reason(Arming::Drop drop)
     case Drop::SecondWindow: return Conditions::tr("another window came to the front");
     case Drop::StationLeft: return Conditions::tr("the window was turned to another controller");
     case Drop::OtherController: return Conditions::tr("another controller was armed");
+    case Drop::Sleep: return Conditions::tr("the computer went to sleep");
+    case Drop::Standstill: return Conditions::tr("this program stood still, or the computer's clock jumped");
     }
     return {};
 }

@@ -14,14 +14,12 @@
 #include "ui/pagewindow.h"
 #include "ui/robotstrip.h"
 #include "ui/widgets/noticestack.h"
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QStackedWidget>
 
 namespace ui {
 
 using namespace std::chrono_literals;
-using robot::HoldProgress;
 using robot::LinkState;
 
 namespace {
@@ -66,7 +64,7 @@ ControllerView::ControllerView(
             m_actions.action(*m_noticeAction)->trigger();
     });
     const auto *contact = new FirstContact(controller(), m_station->shared.store, this);
-    connect(contact, &FirstContact::readinessDue, this, [this] { openReadiness(false); });
+    connect(contact, &FirstContact::readinessDue, this, &ControllerView::showReadiness);
     follow();
     followJournal();
     new Announcer(alarms(), protocol::TextCodec {m_station->profile().encoding}, this);
@@ -138,10 +136,10 @@ void ControllerView::follow()
     connect(m_rail, &NavigationRail::pageChosen, this, &ControllerView::openPage);
     connect(&controller(), &Controller::linkStateChanged, this, &ControllerView::onLinkChanged);
     connect(&controller(), &Controller::troubleChanged, this, &ControllerView::onLinkChanged);
-    connect(&controller(), &Controller::holdProgressChanged, this, &ControllerView::onHoldProgressChanged);
+    connect(&controller(), &Controller::holdStateChanged, this, &ControllerView::onHoldStateChanged);
     connect(&controller(), &Controller::statisticsChanged, this, &ControllerView::onStatisticsChanged);
     connect(&orders(), &robot::Orders::pendantLockChanged, this, &ControllerView::showLock);
-    connect(m_lockNotice, &widgets::MessageBar::linkActivated, this, &ControllerView::releaseLock);
+    connect(m_lockNotice, &widgets::MessageBar::linkActivated, this, [this] { releaseLock([] {}); });
     connect(&m_fade, &QTimer::timeout, this, [this] { show(Notice {}); });
 }
 
@@ -250,36 +248,20 @@ void ControllerView::hold()
     if (controller().linkState() == LinkState::Disconnected)
         show(holdWithoutLink());
     else
-        controller().hold();
+        orders().hold();
 }
 
-void ControllerView::showReadiness() { openReadiness(true); }
-
-/// Under the strip, so that HOLD stays in sight. Unasked it takes no focus from whatever the person is at.
-void ControllerView::openReadiness(bool isAsked)
+void ControllerView::showReadiness()
 {
-    auto *sheet = findChild<dialogs::ReadinessSheet *>();
-    if (!sheet) {
-        sheet = new dialogs::ReadinessSheet(orders(), m_station->numbering, m_station->shared.store, this);
-        sheet->setAttribute(Qt::WA_ShowWithoutActivating, !isAsked);
-        const int room = height() - space::strip - 2 * space::page;
-        sheet->resize(sheet->width(), std::min(sheet->height(), room));
-        sheet->move(mapToGlobal(QPoint((width() - sheet->width()) / 2, space::strip + space::page)));
-    }
-    QWidget *inFront = isAsked ? sheet : QApplication::activeWindow();
-    sheet->show();
-    if (isAsked)
-        sheet->raise();
-    if (inFront)
-        inFront->activateWindow(); // not every desktop heeds the attribute
+    (new dialogs::ReadinessSheet(orders(), m_station->numbering, m_station->shared.store, this))->show();
 }
 
 void ControllerView::show(const Notice &notice)
 {
     m_noticeAction = notice.action;
     m_notice->show(notice.message);
-    const bool isPassing = notice.message.severity == widgets::Severity::Notice
-        && controller().linkState() == LinkState::Monitoring && controller().holdProgress() != HoldProgress::Sent;
+    const bool isPassing =
+        notice.message.severity == widgets::Severity::Notice && controller().linkState() == LinkState::Monitoring;
     if (isPassing && !notice.message.text.isEmpty())
         m_fade.start();
     else
@@ -289,14 +271,18 @@ void ControllerView::show(const Notice &notice)
 void ControllerView::onLinkChanged()
 {
     showLink();
-    show(noticeOf(linkView(controller()), m_station->profile()));
+    m_linkNotice = noticeOf(linkView(controller()), m_station->profile());
+    show(m_linkNotice);
 }
 
-void ControllerView::onHoldProgressChanged()
+/// What the bar says stays, unless this changes it.
+void ControllerView::onHoldStateChanged()
 {
-    onLinkChanged();
-    if (controller().holdProgress() == HoldProgress::Confirmed && controller().linkState() == LinkState::Monitoring)
-        show(holdConfirmed());
+    const Notice notice = noticeOf(linkView(controller()), m_station->profile());
+    if (notice.message.text != m_linkNotice.message.text)
+        onLinkChanged();
+    else
+        showLink();
 }
 
 void ControllerView::onStatisticsChanged()
@@ -336,14 +322,15 @@ void ControllerView::followJournal()
         fail(journal.trouble());
 }
 
-void ControllerView::releaseLock()
+void ControllerView::releaseLock(const std::function<void()> &then)
 {
-    orders().send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, [this](const values::Result<void> &result) {
-        if (!result) {
-            const auto text = explain(robot::Act::HlockOff, result.error(), m_station->profile().model);
-            show({{widgets::Severity::Warning, text, {}}, {}});
-        }
-    });
+    const auto onEnd = [this, then](const values::Result<void> &result) {
+        if (result)
+            return then();
+        const auto text = explain(robot::Act::HlockOff, result.error(), m_station->profile().model);
+        show({{widgets::Severity::Warning, text, {}}, {}});
+    };
+    orders().send(protocol::HlockOff {}, {robot::Act::HlockOff}, this, onEnd);
 }
 
 void ControllerView::showLink()

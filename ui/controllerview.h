@@ -63,8 +63,8 @@ public:
     void showReadiness();
     /// Orders HOLD at once, or says why it cannot be ordered.
     void hold();
-    /// Orders HLOCK off, or says why it cannot be ordered.
-    void releaseLock();
+    /// Orders HLOCK off and calls `then` when that is done, or says why it cannot be done.
+    void releaseLock(const std::function<void()> &then);
     /// Shows a message until the link has something new to say.
     void show(const Notice &notice);
     using QWidget::show;
@@ -89,12 +89,11 @@ private:
     void follow();
     void readFor(const pages::Page *page);
     void onLinkChanged();
-    void onHoldProgressChanged();
+    void onHoldStateChanged();
     void onStatisticsChanged();
     void showLink();
     void showLock();
     void followJournal();
-    void openReadiness(bool isAsked);
 
     std::shared_ptr<station::Station> m_station;
     station::Fleet &m_fleet;
@@ -110,6 +109,7 @@ private:
     robot::Poller::Interest m_stripInterest;
     QHash<const pages::Page *, robot::Poller::Interest> m_pageInterests; ///< Of the pages in view.
     std::optional<ActionId> m_noticeAction;
+    Notice m_linkNotice; ///< What the link and HOLD had to say last.
     QTimer m_fade; ///< Takes away what need not be read twice.
 };
 

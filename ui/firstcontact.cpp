@@ -4,8 +4,8 @@
 
 #include "robot/controller.h"
 #include "settings/profilestore.h"
+#include "ui/widgets/sheetlayer.h"
 #include <QApplication>
-#include <QDialog>
 
 namespace ui {
 
@@ -13,11 +13,13 @@ using robot::LinkState;
 
 namespace {
 
-bool isDialogOpen()
+bool isSheetOpen()
 {
     const auto windows = QApplication::topLevelWidgets();
-    return std::ranges::any_of(
-        windows, [](const QWidget *window) { return window->isVisible() && qobject_cast<const QDialog *>(window); });
+    return std::ranges::any_of(windows, [](const QWidget *window) {
+        const auto *layer = window->findChild<widgets::SheetLayer *>(QString(), Qt::FindDirectChildrenOnly);
+        return layer && layer->isOpen();
+    });
 }
 
 } // namespace
@@ -40,7 +42,7 @@ void FirstContact::onLinkStateChanged()
 void FirstContact::tell()
 {
     const QString name = m_controller.profile().name;
-    if (m_controller.linkState() != LinkState::Monitoring || m_store.isReadinessSeen(name) || isDialogOpen())
+    if (m_controller.linkState() != LinkState::Monitoring || m_store.isReadinessSeen(name) || isSheetOpen())
         return;
     m_store.setReadinessSeen(name);
     Q_EMIT readinessDue();

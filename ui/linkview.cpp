@@ -9,7 +9,7 @@ namespace ui {
 LinkView linkView(const robot::Controller &controller)
 {
     return {controller.linkState(), controller.linkStateSince(), controller.trouble(), controller.timesLost(),
-        controller.holdProgress(), controller.holdRefusal()};
+        controller.holdState()};
 }
 
 QString linkWord(robot::LinkState state)

@@ -12,8 +12,7 @@ struct LinkView {
     QDateTime since; ///< When the state began, by this computer's clock.
     std::optional<values::Error> trouble; ///< Why checking does not get on.
     int timesLost = 0;
-    robot::HoldProgress hold = robot::HoldProgress::Idle;
-    std::optional<values::Error> holdRefusal;
+    robot::HoldState hold;
 };
 
 [[nodiscard]] LinkView linkView(const robot::Controller &controller);

@@ -12,11 +12,12 @@
 #include "ui/dialogs/helpdialog.h"
 #include "ui/holdkey.h"
 #include "ui/icons.h"
+#include "ui/widgets/question.h"
+#include "ui/widgets/sheetlayer.h"
 #include "ui/widgets/text.h"
 #include <QApplication>
 #include <QCloseEvent>
 #include <QLocale>
-#include <QMessageBox>
 #include <QScreen>
 #include <QStatusBar>
 
@@ -30,7 +31,8 @@ MainWindow::MainWindow(station::Fleet &fleet, StartDemo startDemo, QWidget *pare
       m_startDemo {std::move(startDemo)},
       m_actions {new Actions(this)},
       m_level {widgets::text({}, Type::Label, Role::Text2)},
-      m_requests {widgets::text({}, Type::Label, Role::Text2)}
+      m_requests {widgets::text({}, Type::Label, Role::Text2)},
+      m_sheets {new widgets::SheetLayer(this, space::strip)}
 {
     setWindowIcon(applicationIcon());
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
@@ -41,7 +43,7 @@ MainWindow::MainWindow(station::Fleet &fleet, StartDemo startDemo, QWidget *pare
             connectTo(*profile);
     });
     connect(m_actions, &Actions::stationChosen, this, &MainWindow::openStation);
-    connect(new HoldKey(this), &HoldKey::pressed, this, [this] { run(ActionId::Hold); });
+    new HoldKey(this);
     offer({});
 }
 
@@ -65,47 +67,47 @@ void MainWindow::openAccessMenu()
         badge->showMenu();
 }
 
-/// HLOCK outlives this program: the person at the pendant would stand there locked out.
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     const auto stations = m_fleet.stations();
-    const auto locked = std::ranges::find_if(stations, [](const auto &one) { return one->orders.isPendantLocked(); });
-    const bool isLocked = locked != stations.end() && !m_isLeavingLocked;
-    if (!isLocked && (m_isLeaving || m_fleet.unfinished().isEmpty()))
+    const bool isLocked = std::ranges::any_of(stations, [](const auto &one) { return one->orders.isPendantLocked(); });
+    if (m_isLeaving || (!isLocked && m_fleet.unfinished().isEmpty()))
         return QMainWindow::closeEvent(event);
     event->ignore();
-    if (isLocked) {
-        turnTo(*locked);
-        return offerRelease();
-    }
-    leaveProgram([this] {
+    const auto closeNow = [this] {
         m_isLeaving = true;
         close();
-    });
+    };
+    leaveLocks([this, closeNow] { leaveProgram(closeNow); });
 }
 
-void MainWindow::offerRelease()
+/// Asks for one station after the other where HLOCK is on.
+void MainWindow::leaveLocks(const std::function<void()> &then)
 {
-    if (findChild<QMessageBox *>(QStringLiteral("releaseLockBox")))
-        return;
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("HLOCK is on"),
-        tr("HLOCK is still on at %1: the pendant stays locked out after closing.").arg(controller().profile().name),
-        QMessageBox::Cancel, this);
-    box->setObjectName(QStringLiteral("releaseLockBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    auto *release = box->addButton(tr("Release HLOCK and close"), QMessageBox::AcceptRole);
-    auto *leave = box->addButton(tr("Close and leave it on"), QMessageBox::DestructiveRole);
-    release->setObjectName(QStringLiteral("releaseLock"));
-    leave->setObjectName(QStringLiteral("leaveLock"));
-    connect(release, &QAbstractButton::clicked, m_view, [this] {
-        m_view->releaseLock();
-        connect(&m_view->orders(), &robot::Orders::pendantLockChanged, this, &QWidget::close);
-    });
-    connect(leave, &QAbstractButton::clicked, this, [this] {
-        m_isLeavingLocked = true;
-        close();
-    });
-    box->open();
+    const auto stations = m_fleet.stations();
+    const auto locked = std::ranges::find_if(stations,
+        [this](const auto &one) { return one->orders.isPendantLocked() && !m_leftLocked.contains(one->id()); });
+    if (locked == stations.end())
+        return then();
+    turnTo(*locked);
+    leaveLock([this, then] { leaveLocks(then); });
+}
+
+/// HLOCK outlives this program: the person at the pendant would stand there locked out.
+void MainWindow::leaveLock(const std::function<void()> &then)
+{
+    const QUuid id = m_view->station()->id();
+    if (!m_view->orders().isPendantLocked() || m_leftLocked.contains(id))
+        return then();
+    const auto leaveOn = [this, id, then] {
+        m_leftLocked.insert(id);
+        then();
+    };
+    widgets::ask("releaseLockBox", tr("HLOCK is on"),
+        tr("HLOCK is still on at %1: the pendant stays locked out if you go on.").arg(controller().profile().name),
+        {{"releaseLock", tr("Release HLOCK and go on"), [this, then] { m_view->releaseLock(then); }},
+            {"leaveLock", tr("Go on and leave it on"), leaveOn}},
+        this);
 }
 
 void MainWindow::offer(const settings::Profile &profile) { turnTo(m_fleet.add(profile)); }
@@ -115,8 +117,17 @@ void MainWindow::openStation(const QUuid &id)
 {
     for (const auto &entry : m_fleet.roster()) {
         if (entry.profile.id == id && !id.isNull())
-            return entry.station ? turnTo(entry.station) : offer(entry.profile);
+            return askAndTurnTo(id, [this, entry] { entry.station ? turnTo(entry.station) : offer(entry.profile); });
     }
+}
+
+/// Whoever goes to another controller is asked first what becomes of HLOCK at this one.
+void MainWindow::askAndTurnTo(const QUuid &id, const std::function<void()> &turn)
+{
+    if (m_view->station()->id() == id)
+        turn();
+    else
+        leaveLock(turn);
 }
 
 void MainWindow::turnTo(const std::shared_ptr<station::Station> &station)
@@ -155,12 +166,11 @@ void MainWindow::show(std::shared_ptr<station::Station> station)
     station->controller.setPace(robot::Pace::Watched);
     m_view = new ControllerView(std::move(station), m_fleet, *m_actions);
     setCentralWidget(m_view);
+    m_sheets->raise();
     m_view->setFocus();
     connect(&controller(), &robot::Controller::linkStateChanged, this, &MainWindow::onLinkStateChanged);
     connect(&m_view->station()->access, &robot::Access::levelChanged, m_view, [this] { showLevel(); });
     showLevel();
-    connect(m_view, &ControllerView::pageOpened, this, &MainWindow::showHelpOf);
-    showHelpOf(m_view->pageInView());
     connect(&controller(), &robot::Controller::statisticsChanged, this, &MainWindow::onStatisticsChanged);
     const settings::Profile &profile = controller().profile();
     setWindowTitle(profile.name.isEmpty() ? tr("Pendesk") : tr("%1 — Pendesk").arg(profile.name));
@@ -181,8 +191,7 @@ void MainWindow::translate()
 {
     const int row = m_view->openRow();
     disarm(robot::Arming::Drop::LanguageChanged);
-    for (QDialog *dialog : findChildren<QDialog *>(QString(), Qt::FindDirectChildrenOnly))
-        dialog->close();
+    m_sheets->clear();
     m_actions->translate();
     controller().disconnect(this);
     show(m_view->station());
@@ -195,15 +204,8 @@ void MainWindow::leaveProgram(const std::function<void()> &then)
     const QStringList losses = m_fleet.unfinished();
     if (losses.isEmpty())
         return then();
-    auto *box = new QMessageBox(
-        QMessageBox::NoIcon, tr("Something is unfinished"), losses.join(u'\n'), QMessageBox::Cancel, this);
-    box->setObjectName(QStringLiteral("unfinishedBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setDefaultButton(QMessageBox::Cancel);
-    auto *goOn = box->addButton(tr("Go on and lose it"), QMessageBox::DestructiveRole);
-    goOn->setObjectName(QStringLiteral("loseUnfinished"));
-    connect(goOn, &QAbstractButton::clicked, this, then);
-    box->open();
+    widgets::ask("unfinishedBox", tr("Something is unfinished"), losses.join(u'\n'),
+        {{"loseUnfinished", tr("Go on and lose it"), then}}, this);
 }
 
 /// The windows that stood open the last time, and from now on what is opened and closed is kept.
@@ -217,9 +219,11 @@ void MainWindow::restoreWindows()
 
 void MainWindow::connectTo(const settings::Profile &profile)
 {
-    turnTo(m_fleet.open(profile));
-    if (m_fleet.shared().store.find(profile.name))
-        m_fleet.shared().store.setLastUsed(profile.name);
+    askAndTurnTo(profile.id, [this, profile] {
+        turnTo(m_fleet.open(profile));
+        if (m_fleet.shared().store.find(profile.name))
+            m_fleet.shared().store.setLastUsed(profile.name);
+    });
 }
 
 void MainWindow::openDemo()
@@ -239,7 +243,7 @@ void MainWindow::run(ActionId id)
     case ActionId::Access: return openAccessMenu();
     case ActionId::Connect: return openConnectionDialog();
     case ActionId::Reconnect: return controller().open();
-    case ActionId::Disconnect: return controller().close();
+    case ActionId::Disconnect: return leaveLock([this] { controller().close(); });
     case ActionId::Demo: return openDemo();
     case ActionId::Diagnose: return openDiagnosis();
     case ActionId::CopyDiagnosis: return copyDiagnosis();
@@ -258,27 +262,11 @@ void MainWindow::openConnectionDialog()
         connect(m_connectionDialog, &dialogs::ConnectionDialog::connectRequested, this, &MainWindow::connectTo);
     }
     m_connectionDialog->show();
-    m_connectionDialog->raise();
 }
 
 void MainWindow::openDiagnosis() { (new dialogs::DiagnosisDialog(controller().profile(), this))->show(); }
 
-void MainWindow::openHelp()
-{
-    auto *help = findChild<dialogs::HelpDialog *>();
-    if (!help)
-        help = new dialogs::HelpDialog(m_view->pageInView(), this);
-    help->show();
-    help->raise();
-    help->activateWindow();
-}
-
-/// While the help is open it follows the page.
-void MainWindow::showHelpOf(int page)
-{
-    if (auto *help = findChild<dialogs::HelpDialog *>())
-        help->showPage(page);
-}
+void MainWindow::openHelp() { (new dialogs::HelpDialog(m_view->pageInView(), this))->show(); }
 
 void MainWindow::copyDiagnosis()
 {
@@ -291,25 +279,28 @@ void MainWindow::openAppearance()
 {
     auto *dialog = new dialogs::AppearanceDialog(m_fleet.shared().store.appearance(), this);
     connect(dialog, &dialogs::AppearanceDialog::chosen, this, &MainWindow::wear);
-    dialog->open();
+    dialog->show();
 }
 
 void MainWindow::wear(const settings::Appearance &wanted)
 {
-    m_fleet.shared().store.setAppearance(wanted);
-    ui::wear(*qApp, wanted);
+    const auto change = [this, wanted] {
+        m_fleet.shared().store.setAppearance(wanted);
+        ui::wear(*qApp, wanted);
+    };
+    if (wanted.language == m_fleet.shared().store.appearance().language)
+        change(); // no page is made anew
+    else
+        leaveLock(change);
 }
 
 void MainWindow::showAbout()
 {
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("About Pendesk"),
+    widgets::ask("aboutBox", tr("About Pendesk"),
         tr("Pendesk %1\n\nA teach and monitor desk for Yaskawa robot controllers.\nFree software under the GNU General "
            "Public License, version 3 or later.\n\nHOLD is a software hold over the network, not a safety function.")
             .arg(QCoreApplication::applicationVersion()),
-        QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setModal(false);
-    box->show();
+        {}, this);
 }
 
 void MainWindow::onLinkStateChanged()

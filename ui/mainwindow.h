@@ -6,6 +6,8 @@
 #include "ui/controllerview.h"
 #include <QMainWindow>
 #include <QPointer>
+#include <QSet>
+#include <QUuid>
 #include <functional>
 
 class QLabel;
@@ -16,6 +18,10 @@ class Controller;
 
 namespace dialogs {
 class ConnectionDialog;
+}
+
+namespace widgets {
+class SheetLayer;
 }
 
 namespace ui {
@@ -55,16 +61,17 @@ private:
     void turnTo(const std::shared_ptr<station::Station> &station);
     void leave();
     void disarm(robot::Arming::Drop reason);
+    void askAndTurnTo(const QUuid &id, const std::function<void()> &turn);
+    void leaveLocks(const std::function<void()> &then);
+    void leaveLock(const std::function<void()> &then);
     void leaveProgram(const std::function<void()> &then);
     void openAppearance();
     void wear(const settings::Appearance &wanted);
     void restoreWindows();
     void openAccessMenu();
-    void offerRelease();
     void openConnectionDialog();
     void openDiagnosis();
     void openHelp();
-    void showHelpOf(int page);
     void copyDiagnosis();
     void showAbout();
     void makeStatusBar();
@@ -79,8 +86,9 @@ private:
     QLabel *m_level;
     QLabel *m_requests;
     QPointer<dialogs::ConnectionDialog> m_connectionDialog;
-    bool m_isLeavingLocked = false; ///< The person said to close with HLOCK on.
-    bool m_isLeaving = false; ///< The person said to close and lose what is unfinished.
+    widgets::SheetLayer *m_sheets;
+    QSet<QUuid> m_leftLocked; ///< Where the person said to leave HLOCK on.
+    bool m_isLeaving = false; ///< Everything was asked: the window closes.
 };
 
 } // namespace ui

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-using robot::HoldProgress;
+using robot::HoldWord;
 using robot::LinkState;
 using widgets::Severity;
 
@@ -28,17 +28,12 @@ Notice withDiagnosis(Severity severity, const QString &text)
 
 Notice holdNotice(const LinkView &link)
 {
-    switch (link.hold) {
-    case HoldProgress::Unconfirmed:
+    if (link.hold.word == HoldWord::Unconfirmed)
         return withDiagnosis(Severity::Alarm, Messages::tr("HOLD not confirmed: use the pendant."));
-    case HoldProgress::Refused:
+    if (link.hold.word == HoldWord::Refused)
         return plain(Severity::Alarm,
             Messages::tr("HOLD was refused: %1. Use the pendant.")
-                .arg(protocol::explain(link.holdRefusal.value_or(values::Error {}))));
-    case HoldProgress::Sent: return plain(Severity::Notice, Messages::tr("HOLD sent…"));
-    case HoldProgress::Confirmed:
-    case HoldProgress::Idle: break;
-    }
+                .arg(protocol::explain(link.hold.refusal.value_or(values::Error {}))));
     return {};
 }
 
@@ -84,11 +79,6 @@ Notice noticeOf(const LinkView &link, const settings::Profile &profile)
     if (about.message.severity != Severity::Notice)
         hold.message.text += u' ' + about.message.text;
     return hold;
-}
-
-Notice holdConfirmed()
-{
-    return plain(Severity::Notice, Messages::tr("HOLD confirmed: the status says held by command."));
 }
 
 Notice holdWithoutLink()

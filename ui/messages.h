@@ -18,9 +18,6 @@ struct Notice {
 /// comes first: an order to hold that did not get through stands until the next one.
 [[nodiscard]] Notice noticeOf(const LinkView &link, const settings::Profile &profile);
 
-/// Worth telling once, when it happens.
-[[nodiscard]] Notice holdConfirmed();
-
 /// Why HOLD cannot be sent: there is no link.
 [[nodiscard]] Notice holdWithoutLink();
 

@@ -4,13 +4,15 @@
 
 #include "ui/pages/page.h"
 #include "ui/robotstrip.h"
+#include "ui/theme.h"
+#include "ui/widgets/sheetlayer.h"
 #include <QCloseEvent>
 #include <QVBoxLayout>
 
 namespace ui {
 
 PageWindow::PageWindow(RobotStrip *strip, pages::Page *page, const QString &title, QWidget *parent)
-    : QWidget(parent, Qt::Window), m_page {page}
+    : QWidget(parent, Qt::Window), m_page {page}, m_sheets {new widgets::SheetLayer(this, space::strip)}
 {
     setObjectName(page->objectName() + QStringLiteral("Window"));
     setWindowTitle(title);
@@ -21,12 +23,14 @@ PageWindow::PageWindow(RobotStrip *strip, pages::Page *page, const QString &titl
     column->addWidget(page, 1);
     page->show();
     resize(1100, 760);
+    m_sheets->raise();
 }
 
 void PageWindow::closeEvent(QCloseEvent *event)
 {
-    event->accept();
-    Q_EMIT closed(this);
+    event->setAccepted(m_sheets->closeAll());
+    if (event->isAccepted())
+        Q_EMIT closed(this);
 }
 
 } // namespace ui

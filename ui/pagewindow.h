@@ -8,6 +8,10 @@ namespace pages {
 class Page;
 }
 
+namespace widgets {
+class SheetLayer;
+}
+
 namespace ui {
 
 class RobotStrip;
@@ -24,7 +28,7 @@ public:
     [[nodiscard]] pages::Page *page() const { return m_page; }
 
 Q_SIGNALS:
-    /// The window is closing; whoever made it takes the page back now.
+    /// The window is closing, and no sheet is open in it; whoever made it takes the page back now.
     void closed(ui::PageWindow *window);
 
 protected:
@@ -32,6 +36,7 @@ protected:
 
 private:
     pages::Page *m_page;
+    widgets::SheetLayer *m_sheets;
 };
 
 } // namespace ui

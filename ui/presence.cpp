@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/presence.h"
 
+#include "ui/desktopwatch.h"
 #include <QEvent>
 #include <QGuiApplication>
 
@@ -32,6 +33,9 @@ Presence::Presence(robot::AccessRules &rules, Arming &arming, QObject *parent)
 {
     qApp->installEventFilter(this);
     connect(&arming, &Arming::changed, this, &Presence::onArmingChanged);
+    const auto *desktop = new DesktopWatch(this);
+    connect(desktop, &DesktopWatch::screenLocked, this, [this] { m_arming.drop(Arming::Drop::ScreenLocked); });
+    connect(desktop, &DesktopWatch::sleepBegun, this, [this] { m_arming.drop(Arming::Drop::Sleep); });
     connect(qApp, &QGuiApplication::focusWindowChanged, this, &Presence::onFocusWindowChanged);
     connect(qApp, &QGuiApplication::applicationStateChanged, this, &Presence::onApplicationStateChanged);
 }
@@ -39,7 +43,7 @@ Presence::Presence(robot::AccessRules &rules, Arming &arming, QObject *parent)
 bool Presence::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->spontaneous() && isActivity(event->type())) {
-        const auto now = std::chrono::steady_clock::now();
+        const auto now = values::now();
         m_rules.noteActivity(now);
         m_arming.noteActivity(now);
     }

@@ -16,7 +16,7 @@
 
 namespace ui {
 
-using robot::HoldProgress;
+using robot::HoldWord;
 using robot::LinkState;
 using widgets::Lamp;
 using widgets::StateField;
@@ -113,16 +113,13 @@ QWidget *originOf(const settings::Profile &profile)
     return mark;
 }
 
-QString caption(HoldProgress progress)
+/// Everything that can stand under HOLD.
+QStringList captions()
 {
-    switch (progress) {
-    case HoldProgress::Sent: return RobotStrip::tr("HOLD sent…");
-    case HoldProgress::Confirmed: return RobotStrip::tr("HOLD confirmed");
-    case HoldProgress::Refused: return RobotStrip::tr("HOLD refused");
-    case HoldProgress::Unconfirmed: return RobotStrip::tr("not confirmed");
-    case HoldProgress::Idle: break;
-    }
-    return RobotStrip::tr("software hold · Pause key");
+    QStringList result;
+    for (int word = 0; word <= int(HoldWord::Released); ++word)
+        result << holdCaption({HoldWord(word)});
+    return result;
 }
 
 } // namespace
@@ -149,7 +146,8 @@ RobotStrip::RobotStrip(const robot::RobotState &state, const settings::Profile &
     m_row->addWidget(m_hold);
     useFittingType();
     m_hold->setObjectName(QStringLiteral("holdButton"));
-    connect(m_hold, &QAbstractButton::pressed, this, &RobotStrip::holdRequested);
+    m_hold->makeRoomFor(captions());
+    connect(m_hold, &widgets::HoldButton::holdRequested, this, &RobotStrip::holdRequested);
     connect(&state, &robot::RobotState::changed, this, &RobotStrip::onChanged);
     showLink({});
     showStatus();
@@ -220,7 +218,7 @@ void RobotStrip::showJob()
 void RobotStrip::showLink(const LinkView &link)
 {
     m_linkView = link;
-    m_hold->setCaption(caption(link.hold));
+    m_hold->setCaption(holdCaption(link.hold));
     showLinkCell();
 }
 

@@ -230,4 +230,20 @@ QString ageText(std::optional<std::chrono::milliseconds> age)
     return seconds < 100 ? Words::tr("%1 s").arg(number(seconds, 1)) : Words::tr("%1 min").arg(number(seconds / 60, 0));
 }
 
+QString holdCaption(const robot::HoldState &hold)
+{
+    using robot::HoldWord;
+    switch (hold.word) {
+    case HoldWord::Asked: return Words::tr("HOLD asked for, %1 s…").arg(hold.seconds);
+    case HoldWord::HeldByCommand: return Words::tr("held by command");
+    case HoldWord::HeldByPendant: return Words::tr("held by the pendant");
+    case HoldWord::HeldExternally: return Words::tr("held externally");
+    case HoldWord::Refused: return Words::tr("HOLD refused");
+    case HoldWord::Unconfirmed: return Words::tr("HOLD not confirmed");
+    case HoldWord::Released: return Words::tr("released");
+    case HoldWord::None: break;
+    }
+    return Words::tr("software hold · Pause key");
+}
+
 } // namespace ui

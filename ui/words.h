@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/text.h"
+#include "robot/holdstate.h"
 #include "session/statistics.h"
 #include "trend/signal.h"
 #include "ui/widgets/shown.h"
@@ -57,5 +58,8 @@ namespace ui {
 [[nodiscard]] QString percent(double share); ///< "0.0 %" of a share from 0 to 1.
 /// "0.4 s"; minutes from 100 s on. "—" if there is none.
 [[nodiscard]] QString ageText(std::optional<std::chrono::milliseconds> age);
+
+/// What stands under HOLD: "held by command", or how to hold.
+[[nodiscard]] QString holdCaption(const robot::HoldState &hold);
 
 } // namespace ui

@@ -25,9 +25,17 @@ void AccessRules::setSettings(const settings::AccessSettings &settings)
     Q_EMIT settingsChanged();
 }
 
+void AccessRules::noteActivity(Time now)
+{
+    if (now - m_lastActivity >= m_settings.idleTime)
+        Q_EMIT idleTimePassed();
+    m_lastActivity = now;
+}
+
 Access::Access(AccessRules &rules, QObject *parent) : QObject {parent}, m_rules {rules}
 {
-    connect(&rules, &AccessRules::restricted, this, [this] { setLevel(Level::Monitor); });
+    for (const auto signal : {&AccessRules::restricted, &AccessRules::idleTimePassed})
+        connect(&rules, signal, this, [this] { setLevel(Level::Monitor); });
     connect(&m_clock, &QTimer::timeout, this, [this] { tick(now()); });
 }
 

@@ -27,14 +27,16 @@ public:
     /// Another passcode or idle time from now on; the owner keeps them.
     void setSettings(const settings::AccessSettings &settings);
 
-    /// Somebody used key or mouse.
-    void noteActivity(Time now) { m_lastActivity = now; }
+    /// Somebody used key or mouse; too late for levels that have fallen back for want of them.
+    void noteActivity(Time now);
     [[nodiscard]] Time lastActivity() const { return m_lastActivity; }
 
 Q_SIGNALS:
     void settingsChanged();
     /// From now on there is Monitor alone.
     void restricted();
+    /// Somebody was there again after the idle time had passed.
+    void idleTimePassed();
 
 private:
     settings::AccessSettings m_settings;

@@ -9,6 +9,8 @@ namespace robot {
 
 namespace {
 
+constexpr auto tickPeriod = 100ms;
+
 Status::Data1 modeOf(const Status &status)
 {
     return status.data1 & (Status::Data1 {Status::Teach} | Status::Play | Status::Remote);
@@ -16,9 +18,9 @@ Status::Data1 modeOf(const Status &status)
 
 } // namespace
 
-Arming::Arming(QObject *parent) : QObject {parent}
+Arming::Arming(Milliseconds stillness, QObject *parent) : QObject {parent}, m_stillness {stillness}
 {
-    connect(&m_clock, &QTimer::timeout, this, [this] { tick(std::chrono::steady_clock::now()); });
+    connect(&m_clock, &QTimer::timeout, this, [this] { tick(values::Clocks::read()); });
 }
 
 bool Arming::arm(const QObject &robot, const Situation &situation, Time now)
@@ -30,7 +32,8 @@ bool Arming::arm(const QObject &robot, const Situation &situation, Time now)
     m_robot = &robot;
     m_mode = modeOf(*situation.status);
     m_lastActivity = now;
-    m_clock.start(1s);
+    m_lastTick = values::Clocks::read();
+    m_clock.start(tickPeriod);
     Q_EMIT changed();
     return true;
 }
@@ -64,6 +67,20 @@ Milliseconds Arming::remaining(Time now) const
     if (!m_robot)
         return 0ms;
     return std::max(0ms, std::chrono::ceil<Milliseconds>(m_lastActivity + idleLimit - now));
+}
+
+void Arming::noteActivity(Time now)
+{
+    tick(now);
+    m_lastActivity = now;
+}
+
+void Arming::tick(const values::Clocks &clocks)
+{
+    const auto before = std::exchange(m_lastTick, clocks);
+    if (m_robot && values::hasGap(before, clocks, tickPeriod + m_stillness, m_stillness))
+        return drop(Drop::Standstill);
+    tick(clocks.passed);
 }
 
 void Arming::tick(Time now)

@@ -31,10 +31,13 @@ public:
         SecondWindow,
         StationLeft, ///< The window shows another controller.
         OtherController, ///< Another one was armed.
+        Sleep, ///< The computer went to sleep.
+        Standstill, ///< This program stood still, or a clock of this computer jumped.
     };
     static constexpr Milliseconds idleLimit {60'000};
 
-    explicit Arming(QObject *parent = nullptr);
+    /// A standstill of this program longer than `stillness` disarms.
+    explicit Arming(Milliseconds stillness = Milliseconds {250}, QObject *parent = nullptr);
 
     /// Arms `robot`, which stands for one controller, if every condition of Act::Arm is met; what was armed before is
     /// dropped. Returns whether it is armed.
@@ -46,10 +49,13 @@ public:
     [[nodiscard]] bool isArmed(const QObject &robot) const { return m_robot == &robot; }
     /// What is known of `robot` now; drops if that does not allow staying armed.
     void follow(const QObject &robot, const Situation &situation);
-    /// Somebody used key or mouse.
-    void noteActivity(Time now) { m_lastActivity = now; }
-    /// Looks at the clock. It calls itself once a second.
+    /// Somebody used key or mouse; too late if it dropped for want of them.
+    void noteActivity(Time now);
+    /// Looks at the clock: nobody used key or mouse.
     void tick(Time now);
+    /// Looks at all clocks: this program stood still, or a clock jumped, since the last look. It calls itself ten times
+    /// a second while something is armed; Orders calls it before each order.
+    void tick(const values::Clocks &clocks);
     /// Until it drops for want of key and mouse; 0 while nothing is armed.
     [[nodiscard]] Milliseconds remaining(Time now) const;
 
@@ -72,6 +78,8 @@ private:
     const QObject *m_robot = nullptr; ///< Compared, never looked into.
     values::Status::Data1 m_mode; ///< TEACH, PLAY and REMOTE when it was armed.
     Time m_lastActivity {};
+    Milliseconds m_stillness;
+    values::Clocks m_lastTick;
     QTimer m_clock;
 };
 

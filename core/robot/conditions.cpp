@@ -65,6 +65,7 @@ const std::vector<ConditionRow> &conditionRows()
         {NotHeldByCommand, QT_TRANSLATE_NOOP("Conditions", "Not held by a command"),
             data2<Status::HeldByCommand, false>, {0x2050}},
         {HeldByCommand, QT_TRANSLATE_NOOP("Conditions", "Held by a command"), data2<Status::HeldByCommand, true>, {}},
+        {HasError, QT_TRANSLATE_NOOP("Conditions", "The controller shows an error"), data2<Status::Error, true>, {}},
         {ServoOn, QT_TRANSLATE_NOOP("Conditions", "Servo power is on"), data2<Status::ServoOn, true>, {0x2070, 0x3010}},
         {NotRunning, QT_TRANSLATE_NOOP("Conditions", "No job is running"), data1<Status::Running, false>,
             {0x2010, 0x6010}},
@@ -124,7 +125,7 @@ const std::vector<ActRow> &actRows()
     static const std::vector<ActRow> rows {
         {Act::Arm, "arm", linkAnd(LevelOperate, {StatusFresh, Remote, Play, NotTeach, NoAlarm}), {}},
         {Act::ResetAlarm, "reset-alarm", operate, {}},
-        {Act::CancelError, "cancel-error", operate, {}},
+        {Act::CancelError, "cancel-error", operate + Conditions {HasError}, {}},
         {Act::WriteIo, "write-io", engineer, {DataUnlocked, NotEditing}},
         {Act::WriteRegister, "write-register", engineer, {DataUnlocked, NotEditing}},
         {Act::WriteVariable, "write-variable", engineer + Conditions {NumberingVerified}, {DataUnlocked, NotEditing}},

@@ -54,6 +54,7 @@ enum class Condition {
     NotHeldExternally,
     NotHeldByCommand,
     HeldByCommand,
+    HasError,
     ServoOn,
     NotRunning,
     JobSet,

@@ -49,6 +49,12 @@ Controller::Controller(settings::Profile profile, QObject *parent)
       m_linkStateSince {QDateTime::currentDateTime()}
 {
     connect(m_poller, &Poller::finished, this, &Controller::onFinished);
+    connect(m_state, &RobotState::changed, this, [this](const TopicRange &range) {
+        if (range.contains(topics::status) && m_state->status().value) {
+            noteRelease();
+            updateHold();
+        }
+    });
     connect(&m_watch, &QTimer::timeout, this, [this, last = Time {}]() mutable {
         const Time at = now();
         if (const auto pause = at - std::exchange(last, at); pause > standstill)
@@ -142,7 +148,8 @@ void Controller::close()
     dropLink();
     setLinkState(LinkState::Disconnected);
     setTrouble({});
-    setHold(HoldProgress::Idle);
+    m_stop.clear();
+    forgetHold();
     m_state->setLinkUp(false, now());
     m_state->clear();
 }
@@ -205,26 +212,83 @@ void Controller::watch()
         setLinkState(LinkState::Lost);
     }
     m_state->tick(at);
+    updateHold();
 }
 
 void Controller::hold()
 {
     if (m_linkState == LinkState::Disconnected)
         return;
-    if (!m_link) // the host's name is not resolved yet: nothing can leave
-        return setHold(HoldProgress::Unconfirmed);
-    auto *order = new StopOrder {Stop::Hold, m_link->session, &m_link->orders};
-    connect(order, &StopOrder::statusRead, this,
-        [this](const values::Status &status, Time at) { m_state->take<Kind::Status>(1, status, at); });
-    connect(order, &StopOrder::finished, this, [this](StopOrder::Outcome outcome, const std::optional<Error> &refusal) {
-        switch (outcome) {
-        case StopOrder::Outcome::Confirmed: return setHold(HoldProgress::Confirmed);
-        case StopOrder::Outcome::Refused: return setHold(HoldProgress::Refused, refusal);
-        case StopOrder::Outcome::Unconfirmed: return setHold(HoldProgress::Unconfirmed);
-        }
-    });
-    setHold(HoldProgress::Sent);
-    order->start();
+    if (m_link)
+        sendHold();
+    const bool isSent = m_link != nullptr; // else the host's name is not resolved yet: nothing can leave
+    setHoldOrder(HoldOrder {isSent ? HoldOrder::Progress::UnderWay : HoldOrder::Progress::Unconfirmed, now()});
+}
+
+/// Once more while it is under way: that is the same order, and its 2 s begin again.
+void Controller::sendHold()
+{
+    if (!m_stop) {
+        m_stop = new StopOrder {Stop::Hold, m_link->session, &m_link->orders};
+        connect(m_stop, &StopOrder::statusRead, this,
+            [this](const values::Status &status, Time at) { m_state->take<Kind::Status>(1, status, at); });
+        connect(m_stop, &StopOrder::finished, this, &Controller::endHold);
+    }
+    m_stop->start();
+}
+
+void Controller::endHold(StopOrder::Outcome outcome, const std::optional<Error> &refusal)
+{
+    using Progress = HoldOrder::Progress;
+    m_stop.clear();
+    switch (outcome) {
+    case StopOrder::Outcome::Confirmed: return setHoldOrder(HoldOrder {Progress::Confirmed, now()});
+    case StopOrder::Outcome::Refused: return setHoldOrder(HoldOrder {Progress::Refused, now(), refusal});
+    case StopOrder::Outcome::Unconfirmed: return setHoldOrder(HoldOrder {Progress::Unconfirmed, now()});
+    }
+}
+
+HoldFacts Controller::holdFacts() const
+{
+    const bool isLive = m_state->freshness(topics::status) == Freshness::Live;
+    return {m_linkState, isLive ? m_state->status().value : std::nullopt, m_holdOrder, m_releasedAt};
+}
+
+void Controller::setHoldOrder(const std::optional<HoldOrder> &order)
+{
+    if (std::exchange(m_holdOrder, order) == order)
+        return;
+    m_releasedAt.reset();
+    Q_EMIT holdOrderChanged();
+    updateHold();
+}
+
+/// Called with each status that was read.
+void Controller::noteRelease()
+{
+    const values::Status &status = *m_state->status().value;
+    const bool isHeld = status.data2.testFlag(values::Status::HeldByCommand);
+    const bool wasHeld = std::exchange(m_wasHeld, isHeld);
+    if (status.isHeld())
+        m_releasedAt.reset();
+    else if (wasHeld)
+        m_releasedAt = now();
+}
+
+/// Nothing of an earlier link is said on the next one.
+void Controller::forgetHold()
+{
+    m_wasHeld = false;
+    m_releasedAt.reset();
+    if (!m_stop)
+        setHoldOrder({});
+}
+
+void Controller::updateHold()
+{
+    const HoldState state = robot::holdState(holdFacts(), now());
+    if (std::exchange(m_holdState, state) != state)
+        Q_EMIT holdStateChanged();
 }
 
 void Controller::setLinkState(LinkState state)
@@ -232,6 +296,9 @@ void Controller::setLinkState(LinkState state)
     if (std::exchange(m_linkState, state) == state)
         return;
     m_linkStateSince = QDateTime::currentDateTime();
+    if (state == LinkState::Monitoring)
+        forgetHold();
+    updateHold();
     Q_EMIT linkStateChanged();
 }
 
@@ -239,13 +306,6 @@ void Controller::setTrouble(const std::optional<Error> &trouble)
 {
     if (std::exchange(m_trouble, trouble) != trouble)
         Q_EMIT troubleChanged();
-}
-
-void Controller::setHold(HoldProgress progress, const std::optional<Error> &refusal)
-{
-    m_holdRefusal = refusal;
-    m_holdProgress = progress;
-    Q_EMIT holdProgressChanged();
 }
 
 } // namespace robot

@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "robot/holdstate.h"
 #include "robot/poller.h"
 #include "robot/robotstate.h"
 #include "robot/stoporder.h"
 #include "session/statistics.h"
 #include "settings/profile.h"
+#include <QPointer>
 #include <QTimer>
 #include <memory>
 
@@ -18,17 +20,6 @@ class Session;
 } // namespace session
 
 namespace robot {
-
-/// Where the link to a controller stands. *Connected* means that status and system information were answered.
-enum class LinkState {
-    Disconnected, ///< Nobody asked for a link.
-    Checking, ///< Asking; no valid reply to system information and status yet. Goes on until told to stop.
-    Monitoring, ///< Values are live.
-    Lost, ///< Was monitoring, then the status stayed away for three time-outs. Reading resumes by itself.
-};
-
-/// How far an order to hold has come. It ends in Confirmed, Refused or Unconfirmed.
-enum class HoldProgress { Idle, Sent, Confirmed, Refused, Unconfirmed };
 
 /// One robot controller: its link, what was read from it, and the orders it can be given.
 class Controller : public QObject
@@ -50,9 +41,10 @@ public:
     [[nodiscard]] const RobotState &state() const { return *m_state; }
     [[nodiscard]] session::LinkStatistics statistics() const;
     [[nodiscard]] Poller &poller() { return *m_poller; }
-    [[nodiscard]] HoldProgress holdProgress() const { return m_holdProgress; }
-    /// The refusal, while holdProgress() is Refused.
-    [[nodiscard]] const std::optional<values::Error> &holdRefusal() const { return m_holdRefusal; }
+    /// What is said under HOLD now.
+    [[nodiscard]] const HoldState &holdState() const { return m_holdState; }
+    /// What holdState() is made from now.
+    [[nodiscard]] HoldFacts holdFacts() const;
 
     /// The file port: lists and saves for whoever asks; what changes files goes through Orders::begin() first. nullptr
     /// while there is no link, and another one whenever the link state changes; transfers under way end silently with
@@ -71,16 +63,14 @@ public:
     /// Ends the link and forgets what was read.
     void close();
 
-    /// HOLD on, at once and ahead of everything: see StopOrder. Does nothing while Disconnected; Unconfirmed at
-    /// once while the host's name has no address yet, so that nothing can be sent.
-    void hold();
-
 Q_SIGNALS:
     void linkStateChanged();
     void troubleChanged();
     /// Twice a second while the link is open.
     void statisticsChanged();
-    void holdProgressChanged();
+    /// An order to hold was given, or came to its end. See HoldFacts::order.
+    void holdOrderChanged();
+    void holdStateChanged();
 
 private:
     friend class Orders;
@@ -88,6 +78,10 @@ private:
 
     /// For Orders; nullptr while there is no link. It may be another one whenever the link state changes.
     [[nodiscard]] session::Session *session() const;
+    /// For Orders: HOLD on, at once and ahead of everything, see StopOrder; the first packet leaves before anybody is
+    /// told. Does nothing while Disconnected; Unconfirmed at once while the host's name has no address yet, so that
+    /// nothing can be sent.
+    void hold();
 
     void resolve();
     void openLink(const QHostAddress &address);
@@ -98,7 +92,12 @@ private:
     void onStatusAnswered();
     void setLinkState(LinkState state);
     void setTrouble(const std::optional<values::Error> &trouble);
-    void setHold(HoldProgress progress, const std::optional<values::Error> &refusal = {});
+    void sendHold();
+    void endHold(StopOrder::Outcome outcome, const std::optional<values::Error> &refusal);
+    void setHoldOrder(const std::optional<HoldOrder> &order);
+    void noteRelease();
+    void forgetHold();
+    void updateHold();
 
     settings::Profile m_profile;
     RobotState *m_state;
@@ -111,8 +110,11 @@ private:
     bool m_isIdentified = false; ///< The system information was answered.
     std::optional<values::Error> m_trouble;
     int m_timesLost = 0;
-    HoldProgress m_holdProgress = HoldProgress::Idle;
-    std::optional<values::Error> m_holdRefusal;
+    QPointer<StopOrder> m_stop; ///< HOLD, while it is under way.
+    std::optional<HoldOrder> m_holdOrder;
+    bool m_wasHeld = false; ///< By command, in the last status.
+    std::optional<Time> m_releasedAt;
+    HoldState m_holdState;
     QTimer m_watch;
     QTimer m_statisticsTimer;
 };

@@ -57,7 +57,12 @@ Attempt::Attempt(
     m_record.subject = order.subject;
     m_record.oldValue = order.oldValue;
     m_record.newValue = order.newValue;
-    m_timer.start();
+}
+
+bool Attempt::isSame(const Order &order) const
+{
+    return !m_isEnded && !m_isWithheld && m_record.action == QLatin1String(key(order.act))
+        && m_record.subject == order.subject && m_record.newValue == order.newValue;
 }
 
 Attempt::~Attempt() { end(values::failure(ErrorKind::UnknownOutcome)); }
@@ -66,7 +71,7 @@ void Attempt::end(const Result<void> &result)
 {
     if (std::exchange(m_isEnded, true))
         return;
-    m_record.duration = Milliseconds {m_timer.elapsed()};
+    m_record.duration = std::chrono::floor<Milliseconds>(now() - m_begun);
     m_record.outcome = outcomeOf(result);
     if (!result) {
         m_record.status = result.error().status;
@@ -87,7 +92,7 @@ Orders::Orders(Controller &controller, Access &access, Arming &arming, QObject *
       m_isNumberingVerified {controller.profile().isSimulation}
 {
     connect(&controller, &Controller::linkStateChanged, this, &Orders::onLinkStateChanged);
-    connect(&controller, &Controller::holdProgressChanged, this, &Orders::onHoldProgressChanged);
+    connect(&controller, &Controller::holdOrderChanged, this, &Orders::onHoldOrderChanged);
     connect(&controller.state(), &RobotState::changed, this, &Orders::update);
     connect(&access, &Access::levelChanged, this, &Orders::update);
     connect(&arming, &Arming::dropped, this, &Orders::onDropped);
@@ -145,16 +150,28 @@ Attempt *Orders::attempt(const Order &order, QObject *context, OrderHandler hand
 
 Attempt *Orders::begin(const Order &order, QObject *context, OrderHandler handler)
 {
+    m_arming.tick(values::Clocks::read()); // before a click that waited while the program stood still
+    const Result<void> permitted = permission(order);
     Attempt *attempt = this->attempt(order, context, std::move(handler));
-    if (const auto obstacle = this->obstacle(order.act)) {
-        const auto withheld = values::failure(ErrorKind::NotSent, QLatin1String(title(*obstacle)));
+    if (!permitted) {
+        attempt->m_isWithheld = true;
         QMetaObject::invokeMethod(
-            attempt, [attempt, withheld] { attempt->end(withheld); }, Qt::QueuedConnection);
+            attempt, [attempt, permitted] { attempt->end(permitted); }, Qt::QueuedConnection);
         return nullptr;
     }
     connect(
         this, &Orders::linkDropped, attempt, [attempt] { attempt->end(values::failure(ErrorKind::UnknownOutcome)); });
     return attempt;
+}
+
+Result<void> Orders::permission(const Order &order) const
+{
+    if (const auto obstacle = this->obstacle(order.act))
+        return values::failure(ErrorKind::NotSent, QLatin1String(title(*obstacle)));
+    const auto open = findChildren<Attempt *>(QString(), Qt::FindDirectChildrenOnly);
+    if (std::ranges::any_of(open, [&](const Attempt *attempt) { return attempt->isSame(order); }))
+        return values::failure(ErrorKind::NotSent, QStringLiteral("The same order is under way"));
+    return {};
 }
 
 void Orders::servoOff(QObject *context, OrderHandler handler)
@@ -177,19 +194,20 @@ void Orders::servoOff(QObject *context, OrderHandler handler)
     order->start();
 }
 
-/// HOLD can be ordered again before it is confirmed; that is one attempt.
-void Orders::onHoldProgressChanged()
+/// HOLD can be ordered again before it is confirmed; that is one attempt. It ends as unknown when the link is closed.
+void Orders::onHoldOrderChanged()
 {
-    const HoldProgress progress = m_controller.holdProgress();
-    const bool isNowhereToSend = progress == HoldProgress::Unconfirmed && !session();
-    if (!m_hold && (progress == HoldProgress::Sent || isNowhereToSend))
+    using Progress = HoldOrder::Progress;
+    const auto order = m_controller.holdFacts().order;
+    const bool isNowhereToSend = order && order->progress == Progress::Unconfirmed && !session();
+    if (!m_hold && order && (order->progress == Progress::UnderWay || isNowhereToSend))
         m_hold = attempt({Act::Hold}, nullptr, {});
-    if (!m_hold || progress == HoldProgress::Sent)
+    if (!m_hold || (order && order->progress == Progress::UnderWay))
         return;
-    if (progress == HoldProgress::Confirmed)
+    if (order && order->progress == Progress::Confirmed)
         m_hold->end({});
-    else if (progress == HoldProgress::Refused)
-        m_hold->end(tl::unexpected(m_controller.holdRefusal().value_or(Error {})));
+    else if (order && order->progress == Progress::Refused)
+        m_hold->end(tl::unexpected(order->refusal.value_or(Error {})));
     else
         m_hold->end(values::failure(ErrorKind::UnknownOutcome));
     m_hold.clear();

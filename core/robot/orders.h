@@ -9,7 +9,6 @@
 #include "robot/conditions.h"
 #include "robot/controller.h"
 #include "session/session.h"
-#include <QElapsedTimer>
 #include <QPointer>
 
 namespace robot {
@@ -45,10 +44,14 @@ private:
     Attempt(
         const Order &order, const journal::OrderRecord &blank, QObject *context, OrderHandler handler, QObject *parent);
 
+    /// Whether this is under way and orders the same.
+    [[nodiscard]] bool isSame(const Order &order) const;
+
     journal::OrderRecord m_record;
-    QElapsedTimer m_timer;
+    Time m_begun = now();
     QPointer<QObject> m_context;
     OrderHandler m_handler;
+    bool m_isWithheld = false; ///< It ends with the next turn of the event loop and was never sent.
     bool m_isEnded = false;
 };
 
@@ -143,12 +146,15 @@ public:
         session()->send(request, question, tell, priority);
     }
 
-    /// Checks the conditions of something that goes another way, such as a file. Returns nullptr if it is withheld,
-    /// else whoever carries it out must call Attempt::end().
+    /// Checks the conditions of something that goes another way, such as a file, and that the same is not under way:
+    /// the same act, subject and new value. Returns nullptr if it is withheld, else whoever carries it out must call
+    /// Attempt::end().
     [[nodiscard]] Attempt *begin(const Order &order, QObject *context, OrderHandler handler);
 
-    /// HOLD on and servo off: always possible, see StopOrder. Controller::hold() is recorded too.
+    /// HOLD on: always possible, see StopOrder. Every HOLD of the program comes through here. The packet leaves before
+    /// window and journal hear of it.
     void hold() { m_controller.hold(); }
+    /// Servo off: always possible, see StopOrder.
     void servoOff(QObject *context, OrderHandler handler);
 
     /// Arms this controller; returns false if a condition is not met.
@@ -172,11 +178,12 @@ private:
     [[nodiscard]] session::Session *session() const;
     [[nodiscard]] journal::OrderRecord blank() const;
     [[nodiscard]] Situation look() const;
+    [[nodiscard]] values::Result<void> permission(const Order &order) const;
     Attempt *attempt(const Order &order, QObject *context, OrderHandler handler);
     void onLinkStateChanged();
     void onDropped(const QObject *robot, Arming::Drop reason);
     void update();
-    void onHoldProgressChanged();
+    void onHoldOrderChanged();
     void noteLock(const journal::OrderRecord &record);
 
     Controller &m_controller;

@@ -48,7 +48,7 @@ public:
     /// Tells the state what was read in another way, such as the read back after a write.
     template <Kind kind> void note(int number, const ValueOf<kind> &value)
     {
-        m_state.take<kind>(number, value, std::chrono::steady_clock::now());
+        m_state.take<kind>(number, value, values::now());
     }
     /// While probing, only the status and the system information are read: enough to find out whether somebody answers.
     void setProbing(bool probing);

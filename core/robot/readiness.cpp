@@ -105,12 +105,12 @@ ReadinessRow ranges(const ReadinessFacts &facts)
 /// Reference §10.2 lets HOLD on work always; only one that was ordered proves it.
 ReadinessRow hold(const ReadinessFacts &facts)
 {
-    switch (facts.hold) {
-    case HoldProgress::Confirmed: return {Subject::Hold, Allowed, Measured};
-    case HoldProgress::Refused: return {Subject::Hold, NotAllowed, Measured, {}, {}, facts.holdRefusal};
-    case HoldProgress::Unconfirmed: return {Subject::Hold, NotKnown, Measured};
-    case HoldProgress::Sent:
-    case HoldProgress::Idle: break;
+    using Progress = HoldOrder::Progress;
+    switch (facts.hold ? facts.hold->progress : Progress::UnderWay) {
+    case Progress::Confirmed: return {Subject::Hold, Allowed, Measured};
+    case Progress::Refused: return {Subject::Hold, NotAllowed, Measured, {}, {}, facts.hold->refusal};
+    case Progress::Unconfirmed: return {Subject::Hold, NotKnown, Measured};
+    case Progress::UnderWay: break;
     }
     return {Subject::Hold, Allowed, Assumed};
 }
@@ -178,8 +178,7 @@ ReadinessFacts readinessFacts(const Controller &controller, const Situation &sit
     facts.situation.job = controller.state().job().value;
     facts.profile = controller.profile();
     facts.system = controller.state().systemInformation().value;
-    facts.hold = controller.holdProgress();
-    facts.holdRefusal = controller.holdRefusal();
+    facts.hold = controller.holdFacts().order;
     return facts;
 }
 

@@ -54,8 +54,7 @@ struct ReadinessFacts {
     Probe signal; ///< A group of I/O.
     Probe variable;
     Probe files; ///< A list of jobs over the file port.
-    HoldProgress hold = HoldProgress::Idle; ///< Of the last HOLD ordered on this link.
-    std::optional<values::Error> holdRefusal;
+    std::optional<HoldOrder> hold; ///< The last one given on this link.
 };
 
 /// How one subject stands.

@@ -13,7 +13,7 @@ SignalWatch::SignalWatch(const RobotState &state, QObject *parent) : QObject {pa
             return range.contains({Kind::IoGroup, quint16(trace.signal.group)});
         };
         if (std::ranges::any_of(m_traces, isWatched))
-            look(std::chrono::steady_clock::now());
+            look(values::now());
     });
 }
 
@@ -45,7 +45,7 @@ void SignalWatch::add(const Signal &signal)
     if (isWatched(signal))
         return;
     m_traces += SignalTrace {signal, 0, 0, {}, {}};
-    look(m_traces.last(), std::chrono::steady_clock::now());
+    look(m_traces.last(), values::now());
     Q_EMIT listChanged();
 }
 

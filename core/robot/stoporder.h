@@ -5,6 +5,7 @@
 #include "robot/reading.h"
 #include "values/status.h"
 #include <QObject>
+#include <QTimer>
 
 namespace session {
 class Session;
@@ -15,9 +16,10 @@ namespace robot {
 /// What can be stopped with 0x83 (reference §6).
 enum class Stop { Hold, ServoOff };
 
-/// HOLD on or servo off, carried through: it is sent again until a status that was read afterwards agrees ("held by
-/// command", servo off), or 2 s have passed. It asks for no level, waits in no queue and can be given again at any
-/// time. Deletes itself when finished.
+/// HOLD on or servo off, carried through: it is sent at once and every 40 ms, and the status is asked for just as often
+/// beside it, until a status agrees ("held by command", servo off), or 2 s have passed. A status that agreed from the
+/// beginning counts only once the order was accepted, because it may be older than an order that is still on its way.
+/// It asks for no level and waits in no queue. Deletes itself when finished.
 class StopOrder : public QObject
 {
     Q_OBJECT
@@ -32,6 +34,7 @@ public:
     /// `session` must outlive the order, or be its parent's to end with it.
     StopOrder(Stop stop, session::Session &session, QObject *parent);
 
+    /// Sends at once; the 2 s begin. Again while it is under way: once more at once, and the 2 s begin again.
     void start();
 
 Q_SIGNALS:
@@ -42,14 +45,22 @@ Q_SIGNALS:
 
 private:
     void order();
-    void onReply(const values::Result<void> &reply);
     void check();
+    void repeat();
+    void onReply(const values::Result<void> &reply);
+    void onStatus(const values::Status &status);
     [[nodiscard]] bool agrees(const values::Status &status) const;
-    void tryAgain();
     void finish(Outcome outcome, const std::optional<values::Error> &refusal = {});
 
     Stop m_stop;
     session::Session &m_session;
+    QTimer m_patience;
+    QTimer m_pace;
+    bool m_isOrdering = false; ///< An order waits for its answer; the session repeats it meanwhile.
+    bool m_isChecking = false;
+    bool m_isAccepted = false;
+    bool m_hasDisagreed = false; ///< A status that was read since the start did not agree.
+    bool m_agrees = false; ///< The last one did.
     bool m_isFinished = false;
 };
 

@@ -63,8 +63,10 @@ void Exchange::countTowardsCeiling(Priority priority, Time now)
 
 std::optional<Exchange::Departure> Exchange::depart(Time now)
 {
-    if (auto again = departAgain(now))
-        return again;
+    if (m_waiting[std::size_t(Priority::Stop)].empty()) { // nothing of ours goes before a stop
+        if (auto again = departAgain(now))
+            return again;
+    }
     const bool hasRoom = this->hasRoom(now);
     for (auto &queue : m_waiting) {
         const auto next = std::ranges::find_if(queue, [&](const Waiting &order) {
@@ -110,7 +112,7 @@ std::optional<Exchange::Departure> Exchange::departFirst(Waiting &&order, quint8
     m_wasAnswered[id] = false;
     Open open {.order = std::move(order), .id = id, .firstSent = now, .lastSent = now};
     open.packet = protocol::encode(open.order.request, {protocol::Division::Robot, false, id, 0});
-    open.deadline = now + m_policy.patience(open.order.effect);
+    open.deadline = now + m_policy.patience(open.order.effect, open.order.priority);
     ++m_counters.requests;
     noteTry(open, now);
     m_departed = m_open.size();
@@ -126,7 +128,8 @@ void Exchange::noteTry(Open &open, Time now)
     open.nextTry = Time::max();
     if (open.isWithdrawn || !protocol::isRepeatable(open.order.effect))
         return;
-    const Time next = now + m_retransmission.wait(open.tries);
+    const bool isStop = open.order.priority == Priority::Stop;
+    const Time next = now + (isStop ? Time::duration {m_policy.stopRepeat} : m_retransmission.wait(open.tries));
     if (next < open.deadline)
         open.nextTry = next;
 }

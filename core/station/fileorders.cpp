@@ -59,6 +59,8 @@ files::Guard FileOrders::guard(const std::shared_ptr<Door> &door)
     return [this, door](QObject *, const std::function<void(const Result<void> &)> &handler) {
         const auto permitted = permission(m_orders, door->act);
         door->attempt = m_orders.begin(orderOf(*door->task, door->act), this, ignore);
+        if (permitted && !door->attempt)
+            return handler(values::failure(ErrorKind::NotSent, QStringLiteral("The same order is under way")));
         handler(permitted);
     };
 }

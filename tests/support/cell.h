@@ -48,7 +48,7 @@ struct Cell {
     QList<journal::OrderRecord> records; ///< Outlives the orders, which record to the last.
     robot::AccessRules rules;
     robot::Access access {rules};
-    robot::Arming arming;
+    robot::Arming arming {std::chrono::hours {1}}; ///< However busy the computer is.
     std::unique_ptr<virtualcontroller::Server> server;
     std::unique_ptr<robot::Controller> controller;
     robot::Poller::Interest interest;

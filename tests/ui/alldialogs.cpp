@@ -19,6 +19,7 @@
 #include "ui/dialogs/signalpicker.h"
 #include "ui/dialogs/startsheet.h"
 #include "ui/dialogs/whynotdialog.h"
+#include "ui/widgets/question.h"
 
 namespace {
 
@@ -104,6 +105,11 @@ const DialogRow rows[] {
         [](Harness &harness) -> QDialog * {
             return new dialogs::PositionDialog(
                 orders(harness), {variables::Kind::P, 1}, std::nullopt, {}, &harness.window);
+        }},
+    {"question",
+        [](Harness &harness) -> QDialog * {
+            return new widgets::Question("question", QObject::tr("Servo on"), QObject::tr("Servo on"),
+                {{"answer", QObject::tr("Servo on"), [] {}}}, &harness.window);
         }},
     {"restore", restoreDialog},
     {"signal picker",

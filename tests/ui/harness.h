@@ -103,7 +103,7 @@ public:
     settings::SettingsFile file;
     settings::ProfileStore store;
     robot::AccessRules rules;
-    robot::Arming arming;
+    robot::Arming arming {std::chrono::hours {1}}; ///< However busy the computer is.
     std::chrono::milliseconds readTimeout {500}; ///< Of the profile; patient with a busy computer.
     std::chrono::milliseconds servoTimeout {8000};
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/accessswitch.h"
+#include "ui/desktopwatch.h"
 #include "ui/harness.h"
 #include "ui/presence.h"
 
@@ -209,6 +210,27 @@ private Q_SLOTS:
         QVERIFY(harness.window.view().orders().lastDrop()->reason == Arming::Drop::SecondWindow);
     }
 
+    void theDesktopDisarms_data()
+    {
+        QTest::addColumn<QByteArray>("signal");
+        QTest::addColumn<int>("reason");
+        QTest::newRow("lock") << QByteArray("screenLocked") << int(Arming::Drop::ScreenLocked);
+        QTest::newRow("sleep") << QByteArray("sleepBegun") << int(Arming::Drop::Sleep);
+    }
+    void theDesktopDisarms()
+    {
+        QFETCH(QByteArray, signal);
+        QFETCH(int, reason);
+        Harness harness;
+        const ui::Presence presence {harness.rules, harness.arming};
+        QVERIFY(harness.connectLive());
+        harness.access().enter(Level::Operate);
+        QVERIFY(harness.window.view().orders().arm());
+        QVERIFY(QMetaObject::invokeMethod(presence.findChild<ui::DesktopWatch *>(), signal.constData()));
+        QVERIFY(!harness.arming.isArmed());
+        QCOMPARE(int(harness.window.view().orders().lastDrop()->reason), reason);
+    }
+
     void keysAreActivity()
     {
         Harness harness;
@@ -217,10 +239,10 @@ private Q_SLOTS:
         harness.access().enter(Level::Operate);
         QVERIFY(harness.window.view().orders().arm());
         using namespace std::chrono_literals;
-        harness.arming.noteActivity(std::chrono::steady_clock::now() - 50s);
-        QVERIFY(harness.arming.remaining(std::chrono::steady_clock::now()) < 11s);
+        harness.arming.noteActivity(values::now() - 50s);
+        QVERIFY(harness.arming.remaining(values::now()) < 11s);
         QTest::keyClick(&harness.window, Qt::Key_F12);
-        QVERIFY(harness.arming.remaining(std::chrono::steady_clock::now()) > 50s);
+        QVERIFY(harness.arming.remaining(values::now()) > 50s);
     }
 
 private:

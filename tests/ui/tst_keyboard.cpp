@@ -5,6 +5,8 @@
 #include "ui/harness.h"
 
 #include "ui/pagecatalog.h"
+#include "ui/widgets/dialogsheet.h"
+#include "ui/widgets/startbutton.h"
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QButtonGroup>
@@ -124,8 +126,8 @@ private Q_SLOTS:
 private:
     [[nodiscard]] bool activate(QWidget &window)
     {
-        window.activateWindow();
-        return QTest::qWaitFor([&] { return QApplication::activeWindow() == &window; });
+        window.window()->activateWindow();
+        return QTest::qWaitFor([&] { return QApplication::activeWindow() == window.window(); });
     }
 
     Harness m_harness;
@@ -183,14 +185,12 @@ void TestKeyboard::dialogs()
     QVERIFY(activate(*dialog));
     QStringList findings;
     const auto *first = QApplication::focusWidget();
-    if (!first || first->window() != dialog)
+    if (!first || !dialog->isAncestorOf(first))
         findings << QStringLiteral("nothing has the focus at first");
     for (const QPushButton *button : dialog->findChildren<QPushButton *>()) {
-        const bool isDangerous = QSet {QStringLiteral("sheetStart"), QStringLiteral("moveGo"),
-            QStringLiteral("applyConfirm"), QStringLiteral("startRestore"), QStringLiteral("overwrite"),
-            QStringLiteral("compareAndSend"), QStringLiteral("write-io")}
-                                     .contains(button->objectName());
-        if (isDangerous && (button->isDefault() || button->autoDefault()))
+        const bool isDangerous =
+            widgets::isWriting(button) || qobject_cast<const widgets::StartButton *>(button) != nullptr;
+        if (isDangerous && (button->isDefault() || button->autoDefault() || button->hasFocus()))
             findings << QStringLiteral("Enter would press ") + fit::nameOf(*button);
     }
     findings << unreachable(*dialog) << unseen(*dialog);

@@ -3,6 +3,7 @@
 #include "ui/harness.h"
 #include "ui/pages/page.h"
 
+#include "ui/widgets/holdbutton.h"
 #include <QAbstractButton>
 #include <QDialog>
 #include <QLineEdit>
@@ -10,7 +11,6 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-using robot::HoldProgress;
 using robot::LinkState;
 
 namespace {
@@ -80,8 +80,14 @@ void TestMainWindow::holdByButton()
     QVERIFY(harness.connectLive());
     QTest::mouseClick(harness.window.findChild<QAbstractButton *>(QStringLiteral("holdButton")), Qt::LeftButton);
     QTRY_COMPARE(harness.word("heldByCommand"), QStringLiteral("HELD"));
-    QTRY_VERIFY(harness.window.controller().holdProgress() == HoldProgress::Confirmed);
-    QTRY_VERIFY(harness.barText().startsWith(QStringLiteral("HOLD confirmed")));
+    QTRY_VERIFY(harness.window.controller().holdState().word == robot::HoldWord::HeldByCommand);
+    const auto *hold = harness.window.findChild<widgets::HoldButton *>();
+    QCOMPARE(hold->caption(), QStringLiteral("held by command"));
+    harness.server->memory().status.data2.setFlag(values::Status::HeldByCommand, false);
+    QTRY_COMPARE(hold->caption(), QStringLiteral("released"));
+    QTRY_COMPARE(hold->caption(), QStringLiteral("software hold · Pause key"));
+    QTest::keyClick(&harness.window, Qt::Key_Pause);
+    QTRY_COMPARE(hold->caption(), QStringLiteral("held by command"));
     QVERIFY(harness.server->memory().status.data2 & values::Status::HeldByCommand);
 }
 
@@ -142,7 +148,7 @@ void TestMainWindow::holdWithoutAnswerIsNotConfirmed()
     QVERIFY(harness.connectLive());
     harness.stopController();
     QTest::keyClick(&harness.window, Qt::Key_Pause);
-    QVERIFY(harness.barText().startsWith(QStringLiteral("HOLD sent…")));
+    QVERIFY(harness.window.controller().holdState().word == robot::HoldWord::Asked);
     QTRY_VERIFY(harness.barText().startsWith(QStringLiteral("HOLD not confirmed: use the pendant.")));
     QTRY_VERIFY(harness.barText().contains(QStringLiteral("Communication lost at")));
 }

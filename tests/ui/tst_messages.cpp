@@ -3,7 +3,8 @@
 #include "ui/messages.h"
 #include <QTest>
 
-using robot::HoldProgress;
+using robot::HoldState;
+using robot::HoldWord;
 using robot::LinkState;
 using ui::LinkView;
 using widgets::Severity;
@@ -31,24 +32,24 @@ void TestMessages::notices_data()
     const auto row = [](const char *name, const LinkView &link, Severity severity, const char *begin, const char *end) {
         QTest::newRow(name) << link << severity << QString::fromUtf8(begin) << QString::fromUtf8(end);
     };
-    row("not connected", {LinkState::Disconnected, since, {}, 0, HoldProgress::Unconfirmed, {}}, Severity::Notice, "",
-        "");
-    row("checking", {LinkState::Checking, since, {}, 0, HoldProgress::Idle, {}}, Severity::Notice,
+    row("not connected", {LinkState::Disconnected, since, {}, 0, HoldState {HoldWord::Unconfirmed}}, Severity::Notice,
+        "", "");
+    row("checking", {LinkState::Checking, since, {}, 0, HoldState {}}, Severity::Notice,
         "Checking 192.168.1.31:", "status.");
-    row("no answer", {LinkState::Checking, since, silence, 0, HoldProgress::Idle, {}}, Severity::Warning,
+    row("no answer", {LinkState::Checking, since, silence, 0, HoldState {}}, Severity::Warning,
         "No contact with 192.168.1.31 yet: the controller did not answer", "Checking goes on by itself.");
-    row("live", {LinkState::Monitoring, since, {}, 0, HoldProgress::Idle, {}}, Severity::Notice, "", "");
-    row("held", {LinkState::Monitoring, since, {}, 0, HoldProgress::Confirmed, {}}, Severity::Notice, "", "");
-    row("lost", {LinkState::Lost, since, {}, 1, HoldProgress::Idle, {}}, Severity::Warning,
+    row("live", {LinkState::Monitoring, since, {}, 0, HoldState {}}, Severity::Notice, "", "");
+    row("held", {LinkState::Monitoring, since, {}, 0, HoldState {HoldWord::HeldByCommand}}, Severity::Notice, "", "");
+    row("lost", {LinkState::Lost, since, {}, 1, HoldState {}}, Severity::Warning,
         "Communication lost at 12:03:04 — showing the last values read.", "Reading resumes by itself.");
-    row("again", {LinkState::Monitoring, since, {}, 2, HoldProgress::Idle, {}}, Severity::Notice,
+    row("again", {LinkState::Monitoring, since, {}, 2, HoldState {}}, Severity::Notice,
         "Communication restored at 12:03:04.", "since connecting.");
-    row("sent", {LinkState::Monitoring, since, {}, 0, HoldProgress::Sent, {}}, Severity::Notice, "HOLD sent…", "…");
-    row("refused", {LinkState::Monitoring, since, {}, 0, HoldProgress::Refused, refusal}, Severity::Alarm,
+    row("asked", {LinkState::Monitoring, since, {}, 0, HoldState {HoldWord::Asked, 1}}, Severity::Notice, "", "");
+    row("refused", {LinkState::Monitoring, since, {}, 0, HoldState {HoldWord::Refused, 0, refusal}}, Severity::Alarm,
         "HOLD was refused: 0x2110 ", "Use the pendant.");
-    row("unconfirmed", {LinkState::Monitoring, since, {}, 0, HoldProgress::Unconfirmed, {}}, Severity::Alarm,
+    row("unconfirmed", {LinkState::Monitoring, since, {}, 0, HoldState {HoldWord::Unconfirmed}}, Severity::Alarm,
         "HOLD not confirmed: use the pendant.", "pendant.");
-    row("unconfirmed and lost", {LinkState::Lost, since, {}, 1, HoldProgress::Unconfirmed, {}}, Severity::Alarm,
+    row("unconfirmed and lost", {LinkState::Lost, since, {}, 1, HoldState {HoldWord::Unconfirmed}}, Severity::Alarm,
         "HOLD not confirmed: use the pendant. Communication lost at 12:03:04", "Reading resumes by itself.");
 }
 

@@ -76,7 +76,7 @@ void TestPageWindows::theWindowHasHold()
     auto *hold = window->findChild<widgets::HoldButton *>();
     QVERIFY(hold);
     QTest::mouseClick(hold, Qt::LeftButton);
-    QTRY_VERIFY(harness.window.controller().holdProgress() == robot::HoldProgress::Confirmed);
+    QTRY_VERIFY(harness.window.controller().holdState().word == robot::HoldWord::HeldByCommand);
 }
 
 void TestPageWindows::windowsComeBackWithTheNextStart()

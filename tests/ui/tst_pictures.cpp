@@ -49,7 +49,7 @@ bool refused(Harness &harness)
     if (!live(harness))
         return false;
     for (const robot::Topic topic : robot::topics::overview)
-        harness.state().refuse(topic, refusal(), std::chrono::steady_clock::now());
+        harness.state().refuse(topic, refusal(), values::now());
     return true;
 }
 

@@ -3,7 +3,6 @@
 #include "ui/dialogs/accessdialog.h"
 
 #include "ui/conditionwords.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -44,17 +43,14 @@ QDialogButtonBox *buttons(QDialog *dialog)
 } // namespace
 
 PasscodeDialog::PasscodeDialog(Access &access, robot::Level level, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_access {access},
       m_level {level},
       m_passcode {passcodeEdit("passcode")},
       m_complaint {widgets::sentence({}, ui::Role::Amber)}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("passcodeDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Access level: %1").arg(ui::title(level)));
-    setModal(true);
     auto *form = new QFormLayout(this);
     auto *box = buttons(this);
     m_complaint->setObjectName(QStringLiteral("passcodeComplaint"));
@@ -85,16 +81,14 @@ void PasscodeDialog::onAnswered(Access::Answer answer)
 }
 
 AccessSettingsDialog::AccessSettingsDialog(robot::AccessRules &rules, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_rules {rules},
       m_minutes {new QSpinBox},
       m_passcode {passcodeEdit("newPasscode")},
       m_again {passcodeEdit("newPasscodeAgain")},
       m_complaint {widgets::sentence({}, ui::Role::Amber)}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("accessSettingsDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Passcode and idle time"));
     m_minutes->setObjectName(QStringLiteral("idleMinutes"));
     m_minutes->setRange(1, 480);

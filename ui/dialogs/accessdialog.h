@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/access.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLabel;
 class QLineEdit;
@@ -12,7 +12,7 @@ class QSpinBox;
 namespace dialogs {
 
 /// Asks for the passcode on the way to a higher level.
-class PasscodeDialog : public QDialog
+class PasscodeDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ private:
 };
 
 /// Sets or removes the passcode, and the time after which the level falls back.
-class AccessSettingsDialog : public QDialog
+class AccessSettingsDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -27,9 +27,8 @@ void select(QComboBox *box, const QString &word) { box->setCurrentIndex(std::max
 } // namespace
 
 AppearanceDialog::AppearanceDialog(const settings::Appearance &now, QWidget *parent)
-    : QDialog(parent), m_language {choice("language")}, m_scheme {choice("scheme")}
+    : DialogSheet(parent), m_language {choice("language")}, m_scheme {choice("scheme")}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("appearanceDialog"));
     setWindowTitle(tr("Language and look"));
     for (const ui::Language &language : ui::languages())

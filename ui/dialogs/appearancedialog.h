@@ -3,14 +3,14 @@
 #pragma once
 
 #include "settings/appearance.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QComboBox;
 
 namespace dialogs {
 
 /// Language, and light or dark. Deletes itself when it is closed.
-class AppearanceDialog : public QDialog
+class AppearanceDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/dialogs/applydialog.h"
 
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/text.h"
@@ -37,12 +36,9 @@ QStandardItemModel *modelOf(const robot::Edits &edits, const QList<variables::Re
 
 ApplyDialog::ApplyDialog(robot::Edits &edits, const QList<variables::Reference> &list, const QString &controller,
     const variables::Format &format, QWidget *parent)
-    : QDialog(parent)
+    : DialogSheet(parent)
 {
-    setAttribute(Qt::WA_DeleteOnClose);
-    setModal(true);
     setObjectName(QStringLiteral("applyDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Apply — %1").arg(controller));
     const bool hasPositions =
         std::ranges::any_of(list, [](const variables::Reference &variable) { return isPosition(variable.kind); });
@@ -60,7 +56,7 @@ ApplyDialog::ApplyDialog(robot::Edits &edits, const QList<variables::Reference> 
     auto *apply = buttons->addButton(tr("Write %n value(s)", nullptr, int(list.size())), QDialogButtonBox::AcceptRole);
     apply->setObjectName(QStringLiteral("applyConfirm"));
     apply->setProperty("primary", true);
-    apply->setAutoDefault(false);
+    widgets::writing(apply);
     buttons->button(QDialogButtonBox::Cancel)->setDefault(true); // Enter writes nothing
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
@@ -74,8 +70,8 @@ ApplyDialog::ApplyDialog(robot::Edits &edits, const QList<variables::Reference> 
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this, &edits, list] {
-        edits.apply(list);
         accept();
+        edits.apply(list);
     });
 }
 

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "robot/edits.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 namespace dialogs {
 
 /// What Apply would write, old and new, before anything leaves the computer.
-class ApplyDialog : public QDialog
+class ApplyDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

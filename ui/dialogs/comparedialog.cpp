@@ -12,7 +12,7 @@ namespace dialogs {
 
 CompareDialog::CompareDialog(const QString &title, const QByteArray &older, const QByteArray &newer,
     const protocol::TextCodec &codec, const QString &goOn, QWidget *parent)
-    : QDialog(parent)
+    : DialogSheet(parent)
 {
     setObjectName(QStringLiteral("compareDialog"));
     setWindowTitle(title);
@@ -24,8 +24,9 @@ CompareDialog::CompareDialog(const QString &title, const QByteArray &older, cons
         view->showFiles(older, newer, files::NoiseFilter::none());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::Close)->setObjectName(QStringLiteral("closeComparison"));
+    buttons->button(QDialogButtonBox::Close)->setDefault(true);
     if (!goOn.isEmpty())
-        buttons->addButton(goOn, QDialogButtonBox::AcceptRole)->setObjectName(QStringLiteral("goOn"));
+        widgets::writing(buttons->addButton(goOn, QDialogButtonBox::AcceptRole))->setObjectName(QStringLiteral("goOn"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *column = new QVBoxLayout(this);

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "protocol/text.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 namespace dialogs {
 
 /// Two versions of a file, and whether to go on with the newer one.
-class CompareDialog : public QDialog
+class CompareDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

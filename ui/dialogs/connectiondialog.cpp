@@ -28,7 +28,7 @@ QPushButton *profileButton(const char *name, const QString &words)
 } // namespace
 
 ConnectionDialog::ConnectionDialog(settings::ProfileStore &store, const QString &selected, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_store {store},
       m_list {new QListWidget},
       m_duplicate {profileButton("duplicateProfile", tr("Duplicate"))},
@@ -39,7 +39,6 @@ ConnectionDialog::ConnectionDialog(settings::ProfileStore &store, const QString 
       m_connect {profileButton("connectProfile", tr("Connect"))},
       m_ladder {new LadderView}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("connectionDialog"));
     setWindowTitle(tr("Connect to a controller"));
     resize(820, 640);

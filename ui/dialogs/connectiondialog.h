@@ -3,7 +3,7 @@
 #pragma once
 
 #include "settings/profilestore.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLabel;
 class QListWidget;
@@ -16,7 +16,7 @@ class ProfileForm;
 
 /// The controllers that are known: add, copy, remove, change, and connect to one. Not modal; deletes itself when
 /// closed.
-class ConnectionDialog : public QDialog
+class ConnectionDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -15,9 +15,8 @@
 namespace dialogs {
 
 DiagnosisDialog::DiagnosisDialog(const settings::Profile &profile, QWidget *parent)
-    : QDialog(parent), m_ladder {new LadderView}
+    : DialogSheet(parent), m_ladder {new LadderView}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("diagnosisDialog"));
     setWindowTitle(tr("Diagnosis — %1").arg(profile.name));
     resize(620, 560);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "settings/profile.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QPushButton;
 
@@ -12,7 +12,7 @@ namespace dialogs {
 class LadderView;
 
 /// Why does this controller not answer? Not modal; deletes itself when closed.
-class DiagnosisDialog : public QDialog
+class DiagnosisDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -39,13 +39,12 @@ QWidget *pairRow(QWidget *left, int leftWidth, const QString &what)
 } // namespace
 
 HelpDialog::HelpDialog(int page, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_page {page},
       m_search {new QLineEdit},
       m_nothing {widgets::sentence({}, ui::Role::Text2)},
       m_scroll {new QScrollArea}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("helpDialog"));
     resize(640, 620);
     m_search->setObjectName(QStringLiteral("helpSearch"));
@@ -66,14 +65,6 @@ HelpDialog::HelpDialog(int page, QWidget *parent)
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_search, &QLineEdit::textChanged, this, &HelpDialog::search);
-    make();
-}
-
-void HelpDialog::showPage(int page)
-{
-    if (page == m_page)
-        return;
-    m_page = page;
     make();
 }
 

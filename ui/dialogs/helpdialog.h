@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 #include <QList>
 
 class QLabel;
@@ -14,7 +14,7 @@ namespace dialogs {
 
 /// F1: what the page in view shows and means, every key that does something, and the signs of the window, drawn by the
 /// widgets that draw them everywhere. Made from the catalogues. Not modal; deletes itself when closed.
-class HelpDialog : public QDialog
+class HelpDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 
@@ -22,8 +22,6 @@ public:
     /// `page` is a row of the page catalogue.
     explicit HelpDialog(int page, QWidget *parent = nullptr);
 
-    /// Another page came into view.
-    void showPage(int page);
     [[nodiscard]] int page() const { return m_page; }
 
 private:

@@ -58,10 +58,8 @@ QList<QStringList> differenceRows(const Preview &preview, const variables::Forma
 
 ImportDialog::ImportDialog(
     const Preview &preview, const QString &controller, const variables::Format &format, QWidget *parent)
-    : QDialog(parent)
+    : DialogSheet(parent)
 {
-    setAttribute(Qt::WA_DeleteOnClose);
-    setModal(true);
     setObjectName(QStringLiteral("importDialog"));
     setWindowTitle(tr("Take over values — %1").arg(controller));
     resize(680, 520);
@@ -96,8 +94,8 @@ ImportDialog::ImportDialog(
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this, differences = preview.differences] {
-        Q_EMIT differencesAccepted(differences);
         accept();
+        Q_EMIT differencesAccepted(differences);
     });
 }
 

@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "ui/widgets/dialogsheet.h"
 #include "variables/sheet.h"
-#include <QDialog>
 
 namespace dialogs {
 
 /// What a file or a pasted block would change, and what is wrong with it. Accepting stages the differences; nothing of
 /// it is taken while anything is wrong.
-class ImportDialog : public QDialog
+class ImportDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -3,7 +3,6 @@
 #include "ui/dialogs/iowritedialog.h"
 
 #include "ui/conditionwords.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/text.h"
@@ -31,7 +30,7 @@ QString bits(const std::optional<values::IoGroup> &group)
 } // namespace
 
 IoWriteDialog::IoWriteDialog(robot::Orders &orders, const names::Signal &signal, const QString &name, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_model {orders.controller().profile().model},
       m_write {orders, signal},
       m_before {widgets::text({}, ui::Type::Body, ui::Role::Text1)},
@@ -39,10 +38,8 @@ IoWriteDialog::IoWriteDialog(robot::Orders &orders, const names::Signal &signal,
       m_sentence {widgets::sentence({}, ui::Role::Text2)},
       m_button {new widgets::OrderButton(orders, robot::Act::WriteIo)}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("ioWriteDialog"));
     const QString controller = orders.controller().profile().name;
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Write %1 — %2").arg(toString(signal), controller));
     for (QLabel *label : {m_before, m_after}) { // nothing is read yet: room for all eight
         const auto room = [label](quint8 group) {

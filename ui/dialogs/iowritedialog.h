@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/iowrite.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLabel;
 
@@ -15,7 +15,7 @@ namespace dialogs {
 
 /// Switches one network input: shows the eight signals that travel together, before and after, writes once and shows
 /// what was read back.
-class IoWriteDialog : public QDialog
+class IoWriteDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

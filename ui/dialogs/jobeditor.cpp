@@ -14,7 +14,7 @@ namespace dialogs {
 
 JobEditor::JobEditor(
     const values::FileName &name, const QByteArray &content, const protocol::TextCodec &codec, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_name {name},
       m_codec {codec},
       m_text {new QPlainTextEdit(codec.decode(content))},

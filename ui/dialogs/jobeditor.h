@@ -3,8 +3,8 @@
 #pragma once
 
 #include "protocol/text.h"
+#include "ui/widgets/dialogsheet.h"
 #include "values/filename.h"
-#include <QDialog>
 
 class QLabel;
 class QPlainTextEdit;
@@ -13,7 +13,7 @@ class QPushButton;
 namespace dialogs {
 
 /// The text of a file, to be changed and sent. What the look before an upload finds is said while typing.
-class JobEditor : public QDialog
+class JobEditor : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -4,7 +4,6 @@
 
 #include "motion/geometry.h"
 #include "ui/conditionwords.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/line.h"
 #include "ui/widgets/rows.h"
 #include "ui/widgets/startbutton.h"
@@ -60,7 +59,7 @@ values::ControlGroup groupOf(values::ControlGroup watched)
 
 MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const motion::Present &present,
     const motion::Limits &limits, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_orders {orders},
       m_present {present},
       m_move {new Move(orders, plan, present, this)},
@@ -72,9 +71,7 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
       m_stop {new QPushButton(tr("Stop: HOLD"))},
       m_close {new QPushButton(tr("Cancel"))}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("moveSheet"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Move at %1").arg(orders.controller().profile().name));
     setMinimumWidth(680); // a place in one line
     makeWidgets();
@@ -83,6 +80,7 @@ MoveSheet::MoveSheet(robot::Orders &orders, const motion::Plan &plan, const moti
     m_points = orders.controller().poller().wantOnce({robot::TopicRange(Kind::PositionVariable, 0, points - 1)});
     m_guard.setSingleShot(true);
     m_guard.setInterval(1s);
+    m_guard.setTimerType(Qt::PreciseTimer);
     connect(&m_guard, &QTimer::timeout, this, [this] {
         m_isGuarded = false;
         update();
@@ -115,6 +113,7 @@ void MoveSheet::makeWidgets()
     m_rows->add(QStringLiteral("sheetBox"), tr("Box"));
     m_rows->add(QStringLiteral("sheetNear"), tr("Stored points near the target"));
     m_reason->setObjectName(QStringLiteral("sheetReason"));
+    m_reason->setMinimumHeight(2 * m_reason->fontMetrics().lineSpacing()); // whether or not there is one
     m_outcome->setObjectName(QStringLiteral("sheetOutcome"));
     m_name->setObjectName(QStringLiteral("sheetName"));
     m_go->setObjectName(QStringLiteral("sheetMove"));

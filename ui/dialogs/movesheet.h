@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/move.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLineEdit;
 class QPushButton;
@@ -19,7 +19,7 @@ namespace dialogs {
 /// which stored points are near. The button works after a second, and only a pointer presses it; a long move asks for
 /// the controller's name first, and with the name typed F9 does the same. Afterwards it follows the move to its end.
 /// Stop is HOLD, and HOLD stays on.
-class MoveSheet : public QDialog
+class MoveSheet : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -3,7 +3,6 @@
 #include "ui/dialogs/numberingdialog.h"
 
 #include "protocol/codes.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
 #include <QGridLayout>
@@ -34,11 +33,9 @@ QSpinBox *spin(const QString &name, const QString &title, int least, int most)
 } // namespace
 
 NumberingDialog::NumberingDialog(robot::Orders &orders, QWidget *parent)
-    : QDialog(parent), m_orders {orders}, m_sentence {widgets::sentence({}, ui::Role::Text2)}
+    : DialogSheet(parent), m_orders {orders}, m_sentence {widgets::sentence({}, ui::Role::Text2)}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("numberingDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Variable numbering — %1").arg(orders.controller().profile().name));
     setMinimumWidth(560);
     m_sentence->setObjectName(QStringLiteral("sentence"));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/numbering.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLabel;
 class QPushButton;
@@ -13,7 +13,7 @@ namespace dialogs {
 
 /// The guided test of the variable numbering (RS022): the person reads two B variables on the pendant, Pendesk compares
 /// them with what stands on the wire. It only reads.
-class NumberingDialog : public QDialog
+class NumberingDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

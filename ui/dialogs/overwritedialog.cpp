@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/dialogs/overwritedialog.h"
 
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/tickbox.h"
 #include <QCheckBox>
@@ -13,10 +12,9 @@ namespace dialogs {
 
 OverwriteDialog::OverwriteDialog(
     const QString &name, const QString &where, bool canKeepBoth, int remaining, QWidget *parent)
-    : QDialog(parent), m_forAll {new widgets::TickBox(tr("For the remaining %n file(s) too", nullptr, remaining))}
+    : DialogSheet(parent), m_forAll {new widgets::TickBox(tr("For the remaining %n file(s) too", nullptr, remaining))}
 {
     setObjectName(QStringLiteral("overwriteDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("“%1” exists").arg(name));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(ui::space::page, ui::space::page, ui::space::page, ui::space::page);
@@ -33,6 +31,10 @@ OverwriteDialog::OverwriteDialog(
         addButton(row, tr("&Keep both"), "keepBoth", Choice::KeepBoth);
     addButton(row, tr("&Skip"), "skip", Choice::Skip, true);
     column->addLayout(row);
+    for (const char *answer : {"replace", "keepBoth"}) {
+        if (auto *button = findChild<QPushButton *>(QLatin1String(answer)))
+            widgets::writing(button);
+    }
     findChild<QPushButton *>(QStringLiteral("skip"))->setFocus();
 }
 

@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QCheckBox;
 
 namespace dialogs {
 
 /// What to do with a file whose name is taken where it is to go.
-class OverwriteDialog : public QDialog
+class OverwriteDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -3,7 +3,6 @@
 #include "ui/dialogs/positiondialog.h"
 
 #include "protocol/codes.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include "values/form.h"
 #include <QComboBox>
@@ -56,7 +55,7 @@ void setBits(const QList<QComboBox *> &boxes, quint32 bits)
 
 PositionDialog::PositionDialog(robot::Orders &orders, const variables::Reference &variable,
     const std::optional<variables::Value> &value, const variables::Format &format, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_orders {orders},
       m_variable {variable},
       m_format {format},
@@ -64,9 +63,7 @@ PositionDialog::PositionDialog(robot::Orders &orders, const variables::Reference
       m_live {label({})},
       m_sentence {widgets::sentence({}, ui::Role::Amber)}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("positionDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("%1 — %2").arg(toString(variable), orders.controller().profile().name));
     m_type->setObjectName(QStringLiteral("type"));
     m_type->setAccessibleName(tr("Type"));
@@ -96,8 +93,8 @@ PositionDialog::PositionDialog(robot::Orders &orders, const variables::Reference
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
         if (const auto typed = position()) {
-            Q_EMIT valueAccepted(variables::valueWith(m_variable.kind, *typed));
             accept();
+            Q_EMIT valueAccepted(variables::valueWith(m_variable.kind, *typed));
         }
     });
     fill(value ? *variables::positionOf(*value) : Position {});

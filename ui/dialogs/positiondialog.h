@@ -3,8 +3,8 @@
 #pragma once
 
 #include "robot/orders.h"
+#include "ui/widgets/dialogsheet.h"
 #include "variables/text.h"
-#include <QDialog>
 
 class QComboBox;
 class QGridLayout;
@@ -17,7 +17,7 @@ namespace dialogs {
 
 /// Edits a P, BP or EX variable: type, axes in mm, degrees or pulses, and for P tool, user frame and the form in words.
 /// What it gives is staged; only "take the present position" asks the controller, and that reads.
-class PositionDialog : public QDialog
+class PositionDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

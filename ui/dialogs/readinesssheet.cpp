@@ -34,14 +34,13 @@ constexpr Topic variableAsked {robot::Kind::ByteVariable, 1};
 
 ReadinessSheet::ReadinessSheet(
     robot::Orders &orders, robot::NumberingGuard &guard, settings::ProfileStore &store, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_orders {orders},
       m_guard {guard},
       m_store {store},
       m_link {widgets::sentence({}, ui::Role::Text2)},
       m_ladder {new LadderView(this)}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("readinessSheet"));
     const QString name = orders.controller().profile().name;
     setWindowTitle(tr("Readiness — %1").arg(name));
@@ -106,7 +105,7 @@ void ReadinessSheet::follow()
     const robot::Controller &controller = m_orders.controller();
     connect(&m_orders, &robot::Orders::situationChanged, this, &ReadinessSheet::showFacts);
     connect(&controller, &robot::Controller::linkStateChanged, this, &ReadinessSheet::onLinkStateChanged);
-    connect(&controller, &robot::Controller::holdProgressChanged, this, &ReadinessSheet::showFacts);
+    connect(&controller, &robot::Controller::holdOrderChanged, this, &ReadinessSheet::showFacts);
     connect(&controller.state(), &robot::RobotState::changed, this, [this](const robot::TopicRange &range) {
         using namespace robot::topics;
         const auto concerns = [&range](Topic topic) { return range.contains(topic); };

@@ -4,7 +4,7 @@
 
 #include "robot/numbering.h"
 #include "robot/readiness.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLabel;
 class QPushButton;
@@ -17,7 +17,7 @@ class ReadinessRowView;
 
 /// What this controller allows now, followed live: a row a subject, with what it rests on and what helps. Not modal;
 /// it only reads, and only while it is visible. Deletes itself when closed.
-class ReadinessSheet : public QDialog
+class ReadinessSheet : public widgets::DialogSheet
 {
     Q_OBJECT
 

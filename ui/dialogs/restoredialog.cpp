@@ -30,7 +30,7 @@ QPushButton *restoreButton(const QString &text, const char *name)
 
 RestoreDialog::RestoreDialog(
     const settings::Profile &profile, const QDateTime &taken, const QList<RestoreItem> &plan, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_profile {profile},
       m_plan {plan},
       m_identity {widgets::sentence({}, ui::Role::Text1)},
@@ -75,6 +75,8 @@ RestoreDialog::RestoreDialog(
     column->addLayout(buttons);
     for (const RestoreItem &item : plan)
         addItem(item);
+    widgets::writing(m_go);
+    widgets::writing(m_putBack);
     m_putBack->hide();
     m_close->setFocus();
     connect(m_items, &QTreeWidget::itemChanged, this, &RestoreDialog::countChosen);

@@ -5,7 +5,7 @@
 #include "files/identity.h"
 #include "files/restore.h"
 #include "settings/profile.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLabel;
 class QPushButton;
@@ -14,7 +14,7 @@ class QTreeWidget;
 namespace dialogs {
 
 /// What a restore would do, file by file; and, once it was confirmed, how it goes.
-class RestoreDialog : public QDialog
+class RestoreDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -28,7 +28,7 @@ models::SignalListModel *makeModel(const trend::Recorder &recorder, const protoc
 } // namespace
 
 SignalPicker::SignalPicker(trend::Recorder &recorder, const protocol::Dialect &dialect, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_recorder {recorder},
       m_model {makeModel(recorder, dialect, this)},
       m_filter {new models::SignalFilter(*m_model, this)},
@@ -37,7 +37,6 @@ SignalPicker::SignalPicker(trend::Recorder &recorder, const protocol::Dialect &d
 {
     setObjectName(QStringLiteral("signalPicker"));
     setWindowTitle(tr("Add a signal"));
-    setAttribute(Qt::WA_DeleteOnClose);
     resize(420, 480);
     m_search->setObjectName(QStringLiteral("signalSearch"));
     m_search->setPlaceholderText(tr("For example: R1 torque, B005, #00010, M012"));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "trend/recorder.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLineEdit;
 class QListView;
@@ -16,7 +16,7 @@ class SignalListModel;
 namespace dialogs {
 
 /// Finds a number by its name and adds it to the trend. It stays open for the next one. Not modal.
-class SignalPicker : public QDialog
+class SignalPicker : public widgets::DialogSheet
 {
     Q_OBJECT
 

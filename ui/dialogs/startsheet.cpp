@@ -3,7 +3,6 @@
 #include "ui/dialogs/startsheet.h"
 
 #include "ui/conditionwords.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/rows.h"
 #include "ui/widgets/startbutton.h"
 #include "ui/widgets/text.h"
@@ -21,7 +20,7 @@ using values::Status;
 namespace dialogs {
 
 StartSheet::StartSheet(robot::Orders &orders, QWidget *parent)
-    : QDialog(parent),
+    : DialogSheet(parent),
       m_orders {orders},
       m_rows {new widgets::Rows(Qt::AlignLeft)},
       m_reason {widgets::sentence({}, ui::Role::Amber)},
@@ -30,15 +29,13 @@ StartSheet::StartSheet(robot::Orders &orders, QWidget *parent)
       m_start {new widgets::StartButton(tr("Start"))},
       m_close {new QPushButton(tr("Cancel"))}
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("startSheet"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("Start at %1").arg(orders.controller().profile().name));
-    setWindowModality(Qt::WindowModal);
     setMinimumWidth(440);
     makeWidgets();
     m_guard.setSingleShot(true);
     m_guard.setInterval(1s);
+    m_guard.setTimerType(Qt::PreciseTimer);
     connect(&m_guard, &QTimer::timeout, this, &StartSheet::onGuardPassed);
     connect(m_start, &QPushButton::clicked, this, &StartSheet::start);
     connect(m_close, &QPushButton::clicked, this, &QDialog::close);
@@ -54,6 +51,7 @@ void StartSheet::makeWidgets()
     m_rows->add(QStringLiteral("sheetCycle"), tr("Cycle"));
     m_rows->add(QStringLiteral("sheetOverride"), tr("Speed override"));
     m_reason->setObjectName(QStringLiteral("sheetReason"));
+    m_reason->setMinimumHeight(2 * m_reason->fontMetrics().lineSpacing()); // whether or not there is one
     m_phase->setObjectName(QStringLiteral("sheetPhase"));
     m_words->setObjectName(QStringLiteral("sheetWords"));
     m_start->setObjectName(QStringLiteral("sheetStart"));
@@ -118,7 +116,6 @@ void StartSheet::update()
     const auto obstacle = m_orders.obstacle(Act::StartJob);
     const auto subject = this->subject();
     m_reason->setText(obstacle ? ui::reason(*obstacle, m_orders.controller().profile().model) : QString());
-    m_reason->setVisible(obstacle.has_value());
     const bool isPossible = !obstacle && subject;
     if (isPossible && subject == m_shown)
         return;
@@ -157,13 +154,15 @@ void StartSheet::start()
     showPhase();
 }
 
+/// That it runs is said by the strip, as long as it is so.
 void StartSheet::showPhase()
 {
-    using Phase = JobStart::Phase;
+    if (m_attempt->phase() == JobStart::Phase::Running) {
+        accept();
+        return;
+    }
     m_phase->setText(phaseText());
-    const bool isFine = !m_attempt->isFinished() || m_attempt->phase() == Phase::Running;
-    widgets::setTextRole(m_phase, isFine ? ui::Role::Text1 : ui::Role::Amber);
-    adjustSize();
+    widgets::setTextRole(m_phase, m_attempt->isFinished() ? ui::Role::Amber : ui::Role::Text1);
 }
 
 QString StartSheet::phaseText() const
@@ -172,7 +171,7 @@ QString StartSheet::phaseText() const
     switch (m_attempt->phase()) {
     case Phase::Sent: return tr("Start sent…");
     case Phase::Waiting: return tr("Accepted. Waiting for RUN…");
-    case Phase::Running: return tr("RUN: the job is running.");
+    case Phase::Running: break;
     case Phase::NotRunning:
         return tr("The start was accepted, but no RUN was seen for 3 s. Usual causes: the job was so short that it has "
                   "ended, it waits for a condition of the cell, or the pendant shows a question. Look at the pendant.");
@@ -181,9 +180,11 @@ QString StartSheet::phaseText() const
             Act::StartJob, m_attempt->error().value_or(values::Error {}), m_orders.controller().profile().model);
     case Phase::Asking: return tr("No answer to the start: it may or may not have happened. Reading the status…");
     case Phase::UnknownRunning:
-        return tr("No answer to the start, but the status says RUN: the job is running. It was sent once.");
+        return tr("No answer to the start, but a status that was read afterwards said RUN. It was sent once.");
     case Phase::UnknownNotRunning:
-        return tr("No answer to the start, and the status says no RUN. Look at the robot before you start again.");
+        return tr(
+            "No answer to the start, and a status that was read afterwards said no RUN. Look at the robot before you "
+            "start again.");
     case Phase::UnknownStatus:
         return tr("No answer to the start, and none to the status: whether the robot runs is unknown. Look at it.");
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/jobstart.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 class QLabel;
 class QLineEdit;
@@ -18,7 +18,7 @@ namespace dialogs {
 /// What stands between a person and a moving robot: controller, job, line, cycle and override as they are read now. The
 /// button works after they have stood still for one second, and only a pointer presses it; with the keyboard the
 /// words of startWords() must be typed. Afterwards it tells what became of the start.
-class StartSheet : public QDialog
+class StartSheet : public widgets::DialogSheet
 {
     Q_OBJECT
 

@@ -4,7 +4,6 @@
 
 #include "ui/conditionwords.h"
 #include "ui/widgets/conditionlist.h"
-#include "ui/widgets/fitwindow.h"
 #include "ui/widgets/text.h"
 #include <QDialogButtonBox>
 #include <QPushButton>
@@ -13,11 +12,9 @@
 
 namespace dialogs {
 
-WhyNotDialog::WhyNotDialog(robot::Orders &orders, robot::Act act, QWidget *parent) : QDialog(parent)
+WhyNotDialog::WhyNotDialog(robot::Orders &orders, robot::Act act, QWidget *parent) : DialogSheet(parent)
 {
-    setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("whyNotDialog"));
-    new widgets::FitWindow(this);
     setWindowTitle(tr("%1 · %2").arg(ui::title(act), orders.controller().profile().name));
     resize(460, 480);
     auto *scroll = new QScrollArea;

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "robot/orders.h"
-#include <QDialog>
+#include "ui/widgets/dialogsheet.h"
 
 namespace dialogs {
 
 /// "Why not?": the conditions of one act at one controller, followed live. It closes with its controller.
-class WhyNotDialog : public QDialog
+class WhyNotDialog : public widgets::DialogSheet
 {
     Q_OBJECT
 

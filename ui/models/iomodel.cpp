@@ -29,7 +29,7 @@ IoModel::IoModel(const robot::RobotState &state, robot::NameBook &book, const pr
       m_groups(std::size_t(groups.count()))
 {
     m_fade.setInterval(250ms);
-    connect(&m_fade, &QTimer::timeout, this, [this] { tick(std::chrono::steady_clock::now()); });
+    connect(&m_fade, &QTimer::timeout, this, [this] { tick(values::now()); });
     connect(&state, &robot::RobotState::changed, this, &IoModel::onChanged);
     connect(&book, &robot::NameBook::changed, this,
         [this] { Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)); });
@@ -83,7 +83,7 @@ void IoModel::onChanged(const robot::TopicRange &range)
 {
     if (range.kind != Kind::IoGroup)
         return;
-    const Time now = std::chrono::steady_clock::now();
+    const Time now = values::now();
     const int first = std::max<int>(range.first, m_range.first) - m_range.first;
     const int last = std::min<int>(range.last, m_range.last) - m_range.first;
     bool hasRefusals = false;

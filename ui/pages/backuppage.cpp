@@ -9,11 +9,11 @@
 #include "ui/pages/files/comparisoncard.h"
 #include "ui/pages/files/parts.h"
 #include "ui/pages/files/timeline.h"
+#include "ui/widgets/filesheet.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/orderbutton.h"
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -165,10 +165,8 @@ void BackupPage::setRoot(const QString &root)
 
 void BackupPage::chooseFolder()
 {
-    const QString chosen =
-        QFileDialog::getExistingDirectory(this, tr("Folder of the backups"), m_backups.choices().folder);
-    if (!chosen.isEmpty())
-        setRoot(chosen);
+    widgets::askForPath({"backupFolderDialog", widgets::PathKind::Folder, tr("Folder of the backups"), m_backups.choices().folder}, this,
+        [this](const QString &chosen) { setRoot(chosen); });
 }
 
 void BackupPage::keepChoices()
@@ -237,9 +235,9 @@ void BackupPage::exportChosen()
     if (!entry)
         return;
     const QString name = QDir::home().filePath(entry->id + QStringLiteral(".zip"));
-    const QString target = QFileDialog::getSaveFileName(this, tr("Export the backup"), name, tr("Zip files (*.zip)"));
-    if (!target.isEmpty())
-        exportTo(target);
+    widgets::askForPath({"backupExportDialog", widgets::PathKind::NewFile, tr("Export the backup"), name,
+                            {tr("Zip files (*.zip)")}, QStringLiteral("zip")},
+        this, [this](const QString &target) { exportTo(target); });
 }
 
 void BackupPage::exportTo(const QString &target)
@@ -368,7 +366,6 @@ void BackupPage::offerRestore(const files::Bag &bag, const files::FileSet &then)
         const auto plan = files::planRestore(then, now, {{}, m_context.station.fileOrders.jobsInUse(), isOther});
         auto *dialog = new dialogs::RestoreDialog(m_context.station.profile(), bag.info().taken, plan, this);
         dialog->showIdentity(identity);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &dialogs::RestoreDialog::confirmed, this, [this, then, dialog](const auto &chosenPlan) {
             if (auto restore = m_backups.restore(then, chosenPlan))
                 dialog->follow(std::move(restore));
@@ -376,7 +373,7 @@ void BackupPage::offerRestore(const files::Bag &bag, const files::FileSet &then)
         connect(dialog, &dialogs::RestoreDialog::tried, this,
             [this](const files::Upload *upload) { m_context.station.fileOrders.note(*upload, Act::Upload); });
         connect(dialog, &QDialog::finished, this, &BackupPage::reload);
-        dialog->open();
+        dialog->show();
     });
 }
 

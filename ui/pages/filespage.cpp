@@ -9,10 +9,10 @@
 #include "ui/pages/files/parts.h"
 #include "ui/pages/files/queuecard.h"
 #include "ui/pages/files/remotefile.h"
+#include "ui/widgets/filesheet.h"
 #include "ui/widgets/orderbutton.h"
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 
@@ -137,9 +137,8 @@ void FilesPage::openFolder(const QString &folder)
 
 void FilesPage::chooseFolder()
 {
-    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Folder of the files"), m_folder);
-    if (!chosen.isEmpty())
-        openFolder(chosen);
+    widgets::askForPath({"folderDialog", widgets::PathKind::Folder, tr("Folder of the files"), m_folder}, this,
+        [this](const QString &chosen) { openFolder(chosen); });
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "ui/widgets/logicstrip.h"
 #include "ui/widgets/text.h"
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QKeyEvent>
@@ -223,7 +224,8 @@ bool IoPage::eventFilter(QObject *watched, QEvent *event)
         return Page::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent *>(event)->key();
     const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
-    if (watched == m_table && (isEnter || key == Qt::Key_Space))
+    const bool isEditing = m_table->viewport()->isAncestorOf(QApplication::focusWidget()); // Return is the editor's own
+    if (watched == m_table && !isEditing && (isEnter || key == Qt::Key_Space))
         return act(m_table->currentIndex()), true;
     if (watched == m_watchTable && key == Qt::Key_Delete && m_watchTable->currentIndex().isValid()) {
         m_watch.remove(m_watch.traces()[m_watchTable->currentIndex().row()].signal);

@@ -42,7 +42,7 @@ JobsPage::JobsPage(const Context &context, QWidget *parent)
     connect(m_list, &JobListCard::chosen, this, &JobsPage::showJob);
     connect(m_text, &JobTextCard::followed, this, [this](const values::FileName &job) {
         if (isVisible())
-            m_list->choose(job.base());
+            m_text->showJob(job); // what the person chose in the list stays chosen
     });
     connect(m_tasks, &TasksCard::topicsChanged, this, &JobsPage::topicsChanged);
     connect(&m_orders, &robot::Orders::situationChanged, this, [this] {

@@ -10,10 +10,10 @@
 #include "ui/models/incidentmodel.h"
 #include "ui/models/trackmodel.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/filesheet.h"
 #include "ui/widgets/plot.h"
 #include <QComboBox>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QListView>
 #include <QMimeData>
@@ -355,18 +355,15 @@ void TrendPage::removeSelected()
 
 void TrendPage::chooseFile()
 {
-    auto *dialog = new QFileDialog(this, tr("Export what is in view"), {}, tr("CSV files (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->selectFile(
+    const QString name =
         QStringLiteral("%1 %2.csv")
-            .arg(m_profile.name, trend::toLocalTime(range().to).toUTC().toString(u"yyyyMMdd'T'HHmmss'Z'")));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
-        if (const auto written = exportTo(path); !written)
-            m_card->setReason(tr("The file could not be written: %1").arg(written.error().detail));
-    });
-    dialog->open();
+            .arg(m_profile.name, trend::toLocalTime(range().to).toUTC().toString(u"yyyyMMdd'T'HHmmss'Z'"));
+    widgets::askForPath({"trendExportDialog", widgets::PathKind::NewFile, tr("Export what is in view"), name,
+                            {tr("CSV files (*.csv)")}, QStringLiteral("csv")},
+        this, [this](const QString &path) {
+            if (const auto written = exportTo(path); !written)
+                m_card->setReason(tr("The file could not be written: %1").arg(written.error().detail));
+        });
 }
 
 values::Result<void> TrendPage::exportTo(const QString &path) const

@@ -6,13 +6,13 @@
 #include "ui/dialogs/positiondialog.h"
 #include "ui/pages/variabletransfer.h"
 #include "ui/widgets/celleditor.h"
+#include "ui/widgets/filesheet.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/gotoedit.h"
 #include "ui/widgets/line.h"
 #include "ui/widgets/orderbutton.h"
 #include "ui/widgets/shown.h"
 #include "ui/widgets/text.h"
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -283,16 +283,16 @@ void VariableSheet::paste()
 
 void VariableSheet::importFile()
 {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Import values"), {}, tr("CSV files (*.csv)"));
-    if (!path.isEmpty())
-        m_transfer->importFrom(path);
+    widgets::askForPath(
+        {"importFileDialog", widgets::PathKind::OldFile, tr("Import values"), {}, {tr("CSV files (*.csv)")}}, this,
+        [this](const QString &path) { m_transfer->importFrom(path); });
 }
 
 void VariableSheet::exportFile()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export values"), {}, tr("CSV files (*.csv)"));
-    if (!path.isEmpty())
-        m_transfer->exportTo(path, m_model->variables());
+    widgets::askForPath({"exportFileDialog", widgets::PathKind::NewFile, tr("Export values"), {},
+                            {tr("CSV files (*.csv)")}, QStringLiteral("csv")},
+        this, [this](const QString &path) { m_transfer->exportTo(path, m_model->variables()); });
 }
 
 } // namespace pages

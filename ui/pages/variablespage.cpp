@@ -4,8 +4,8 @@
 
 #include "ui/dialogs/numberingdialog.h"
 #include "ui/pages/registerspage.h"
+#include "ui/widgets/question.h"
 #include "ui/widgets/text.h"
-#include <QInputDialog>
 #include <QJsonArray>
 #include <QMenu>
 #include <QPushButton>
@@ -65,9 +65,8 @@ VariablesPage::VariablesPage(const Context &context, QWidget *parent)
     connect(m_test, &QPushButton::clicked, this, &VariablesPage::openNumberingTest);
     connect(&m_orders, &robot::Orders::situationChanged, this, &VariablesPage::showNumbering);
     connect(add, &QPushButton::clicked, this, [this] {
-        const QString name = QInputDialog::getText(this, tr("New watch page"), tr("Name of the page"));
-        if (!name.trimmed().isEmpty())
-            addWatchPage(name.trimmed());
+        widgets::askForLine("watchPageName", tr("New watch page"), tr("Name of the page"), this,
+            [this](const QString &name) { addWatchPage(name); });
     });
     m_sheet->show(m_tabs.first().model);
     showNumbering();

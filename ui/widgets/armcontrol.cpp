@@ -91,6 +91,7 @@ void ArmControl::showState()
     m_arm->setEnabled(!isArmed && (isPossible || m_arm->isDown())); // while it is held, the end of the second decides
     m_disarm->setEnabled(isArmed);
     m_why->setVisible(!isArmed);
+    m_why->setText(isPossible ? tr("Conditions") : tr("Why not?"));
     m_reason->setWords(reason());
 }
 

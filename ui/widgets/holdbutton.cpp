@@ -22,6 +22,7 @@ HoldButton::HoldButton(QWidget *parent) : QAbstractButton(parent)
     setAccessibleName(tr("HOLD (software)"));
     setFocusPolicy(Qt::TabFocus);
     setCaption(tr("software hold · Pause key"));
+    connect(this, &QAbstractButton::pressed, this, &HoldButton::holdRequested);
 }
 
 void HoldButton::setCaption(const QString &caption)
@@ -31,13 +32,21 @@ void HoldButton::setCaption(const QString &caption)
     m_caption = caption;
     setAccessibleDescription(caption);
     setToolTip(caption);
-    updateGeometry();
+    makeRoomFor({caption});
     update();
+}
+
+void HoldButton::makeRoomFor(const QStringList &captions)
+{
+    const QFontMetrics metrics(ui::font(ui::Type::Label));
+    for (const QString &caption : captions)
+        m_captionRoom = std::max(m_captionRoom, metrics.horizontalAdvance(caption));
+    updateGeometry();
 }
 
 QSize HoldButton::sizeHint() const
 {
-    const int caption = QFontMetrics(ui::font(ui::Type::Label)).horizontalAdvance(m_caption) + 22;
+    const int caption = m_captionRoom + 22;
     const int word = fontMetrics().horizontalAdvance(text()) + 70;
     return {std::max({leastWidth, caption, word}), tallness};
 }

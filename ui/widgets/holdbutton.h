@@ -16,9 +16,15 @@ public:
 
     /// The small line under the word: "software hold · Pause key", "HOLD sent…".
     void setCaption(const QString &caption);
+    /// Takes as much room as the longest of these needs, so that nothing moves when the caption changes.
+    void makeRoomFor(const QStringList &captions);
     [[nodiscard]] const QString &caption() const { return m_caption; }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+Q_SIGNALS:
+    /// HOLD was asked for: by the button going down, or by whoever emits this for it, such as the HOLD key.
+    void holdRequested();
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -27,6 +33,7 @@ private:
     void paintWord(QPainter &painter, const QRectF &line) const;
 
     QString m_caption;
+    int m_captionRoom = 0;
 };
 
 } // namespace widgets

@@ -78,7 +78,7 @@ void LogicStrip::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.setFont(ui::font(ui::Type::Label));
-    const Time now = std::chrono::steady_clock::now();
+    const Time now = values::now();
     QRect track(labelWidth, 0, width() - labelWidth - 8, trackHeight);
     for (const auto &trace : m_watch.traces()) {
         const QString name = m_book.names().of(trace.signal).text;

@@ -4,6 +4,7 @@
 
 #include "ui/conditionwords.h"
 #include "ui/dialogs/whynotdialog.h"
+#include "ui/widgets/dialogsheet.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/line.h"
 #include "ui/widgets/text.h"
@@ -30,7 +31,7 @@ OrderButton::OrderButton(robot::Orders &orders, robot::Act act, Reason place, QW
 {
     const auto name = QLatin1String(robot::key(act));
     m_button->setObjectName(name);
-    m_button->setAutoDefault(false);
+    writing(m_button);
     m_why->setObjectName(QLatin1String("why-") + name);
     m_why->setAutoDefault(false);
     m_why->setProperty("link", true);
@@ -93,11 +94,21 @@ void OrderButton::update()
     const QString reason = m_agrees ? tr("Pending…")
         : obstacle                  ? ui::reason(*obstacle, m_orders.controller().profile().model)
                                     : m_complaint;
-    m_button->setEnabled(reason.isEmpty());
+    setPressable(reason.isEmpty());
     m_button->setToolTip(reason);
     m_button->setAccessibleDescription(reason);
     m_why->setText(obstacle ? tr("Why not?") : tr("Conditions"));
     m_reason->setWords(reason);
+}
+
+/// A button that cannot be pressed cannot have the focus: this keeps its place meanwhile.
+void OrderButton::setPressable(bool isPressable)
+{
+    if (!isPressable && m_button->hasFocus())
+        setFocus(Qt::OtherFocusReason);
+    m_button->setEnabled(isPressable);
+    if (isPressable && hasFocus())
+        m_button->setFocus(Qt::OtherFocusReason);
 }
 
 void OrderButton::openConditions()

@@ -51,6 +51,7 @@ Q_SIGNALS:
 
 private:
     void update();
+    void setPressable(bool isPressable);
     void openConditions();
 
     robot::Orders &m_orders;

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/widgets/tabletools.h"
 
+#include "ui/widgets/filesheet.h"
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QTableView>
 
@@ -81,23 +81,16 @@ void copyFrom(QTableView *table, QAbstractButton *button)
 void askForFile(QWidget *parent, const QString &title, const QString &name,
     const std::function<void(const QString &path, journal::Format format)> &then)
 {
-    const QString csv = QFileDialog::tr("Comma-separated values (*.csv)");
-    const QString json = QFileDialog::tr("JSON (*.json)");
-    auto *dialog = new QFileDialog(parent, title);
-    dialog->setObjectName(QStringLiteral("exportDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({csv, json});
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->selectFile(name);
+    const QString csv = QCoreApplication::translate("QFileDialog", "Comma-separated values (*.csv)");
+    const QString json = QCoreApplication::translate("QFileDialog", "JSON (*.json)");
+    auto *dialog = askForPath({"exportDialog", PathKind::NewFile, title, name, {csv, json}, QStringLiteral("csv")},
+        parent, [then](const QString &path) {
+            const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+            then(path, isJson ? journal::Format::Json : journal::Format::Csv);
+        });
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, json](const QString &filter) {
         dialog->setDefaultSuffix(filter == json ? QStringLiteral("json") : QStringLiteral("csv"));
     });
-    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [then](const QString &path) {
-        const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-        then(path, isJson ? journal::Format::Json : journal::Format::Csv);
-    });
-    dialog->open();
 }
 
 } // namespace widgets

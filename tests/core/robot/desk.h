@@ -93,7 +93,7 @@ struct Desk {
     virtualcontroller::Options options;
     robot::AccessRules rules;
     robot::Access access {rules};
-    robot::Arming arming;
+    robot::Arming arming {std::chrono::hours {1}}; ///< However busy the computer is.
     std::unique_ptr<virtualcontroller::Server> server;
     std::unique_ptr<robot::Controller> controller;
     std::unique_ptr<robot::Orders> orders;

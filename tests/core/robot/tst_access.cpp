@@ -26,7 +26,7 @@ private Q_SLOTS:
         QVERIFY(one.enter(Level::Engineer) == Access::Answer::Entered);
         QVERIFY(other.level() == Level::Monitor);
         QVERIFY(other.enter(Level::Operate) == Access::Answer::Entered);
-        const auto begin = std::chrono::steady_clock::now();
+        const auto begin = values::now();
         rules.noteActivity(begin); // one person, whatever controller they look at
         one.tick(begin + 5min);
         QVERIFY(one.level() == Level::Monitor);
@@ -63,7 +63,7 @@ private Q_SLOTS:
         AccessRules rules {settings};
         Access access {rules};
         QVERIFY(access.enter(Level::Operate) == Access::Answer::Entered);
-        const auto begin = std::chrono::steady_clock::now();
+        const auto begin = values::now();
         rules.noteActivity(begin);
         access.tick(begin + 4min);
         QVERIFY(access.level() == Level::Operate);

@@ -131,6 +131,45 @@ private Q_SLOTS:
         QCOMPARE(lastReason(drops), int(Arming::Drop::Idle));
     }
 
+    void dropsAfterAStandstill_data()
+    {
+        using ms = std::chrono::milliseconds;
+        QTest::addColumn<ms>("passed");
+        QTest::addColumn<ms>("awake");
+        QTest::addColumn<ms>("wall");
+        QTest::addColumn<bool>("isArmed");
+        QTest::newRow("in time") << ms {100} << ms {100} << ms {100} << true;
+        QTest::newRow("a long paint") << ms {340} << ms {340} << ms {340} << true;
+        QTest::newRow("stopped") << ms {400} << ms {400} << ms {400} << false;
+        QTest::newRow("asleep") << ms {300} << ms {10} << ms {300} << false;
+        QTest::newRow("the clock was set") << ms {100} << ms {100} << ms {5000} << false;
+    }
+    void dropsAfterAStandstill()
+    {
+        QFETCH(std::chrono::milliseconds, passed);
+        QFETCH(std::chrono::milliseconds, awake);
+        QFETCH(std::chrono::milliseconds, wall);
+        QFETCH(bool, isArmed);
+        Arming arming;
+        QSignalSpy drops {&arming, &Arming::dropped};
+        const values::Clocks before = values::Clocks::read();
+        QVERIFY(arming.arm(m_robot, ready(), before.passed));
+        arming.tick(before);
+        arming.tick(values::Clocks {before.passed + passed, before.awake + awake, before.wall + wall});
+        QCOMPARE(arming.isArmed(), isArmed);
+        QCOMPARE(lastReason(drops), isArmed ? -1 : int(Arming::Drop::Standstill));
+    }
+
+    /// The first key after a long absence is no sign that somebody was there.
+    void aLateKeyIsTooLate()
+    {
+        Arming arming;
+        QSignalSpy drops {&arming, &Arming::dropped};
+        QVERIFY(arming.arm(m_robot, ready(), begin));
+        arming.noteActivity(begin + 60s);
+        QCOMPARE(lastReason(drops), int(Arming::Drop::Idle));
+    }
+
     void oneControllerOnly()
     {
         Arming arming;

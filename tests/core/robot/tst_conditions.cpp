@@ -71,7 +71,6 @@ struct Rule {
 constexpr Rule rules[] {
     {Act::Arm, Level::Operate, false, "LFRPTA"},
     {Act::ResetAlarm, Level::Operate, false, "LR"},
-    {Act::CancelError, Level::Operate, false, "LR"},
     {Act::WriteIo, Level::Engineer, false, "L"},
     {Act::WriteRegister, Level::Engineer, false, "L"},
     {Act::WriteVariable, Level::Engineer, false, "LN"},
@@ -170,6 +169,17 @@ private Q_SLOTS:
     {
         QVERIFY(findings(Act::Hold, {}).isEmpty());
         QVERIFY(findings(Act::ServoOff, {}).isEmpty());
+    }
+
+    void anErrorIsCancelledOnlyWhereThereIsOne()
+    {
+        Situation situation = good();
+        situation.level = Level::Operate;
+        QVERIFY(robot::obstacle(Act::CancelError, situation) == Condition::HasError);
+        on(situation, Status::Error);
+        QVERIFY(!robot::obstacle(Act::CancelError, situation));
+        off(situation, Status::Remote);
+        QVERIFY(robot::obstacle(Act::CancelError, situation) == Condition::Remote);
     }
 
     /// HOLD can be released if a command holds, whoever else holds too.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "robot/controller.h"
 #include "robot/diagnosis.h"
+#include "robot/orders.h"
 #include "session/session.h"
 #include "session/udptransport.h"
 #include "virtualcontroller/server.h"
@@ -33,6 +34,26 @@ settings::Profile profileOf(quint16 port, quint16 filePort = 1)
     profile.filePort = filePort;
     profile.readTimeout = 100ms;
     return profile;
+}
+
+/// The way in for HOLD.
+struct Door {
+    explicit Door(Controller &controller) : orders {controller, access, arming} { }
+
+    Access access;
+    Arming arming;
+    Orders orders;
+};
+
+int holdsIn(QUdpSocket &socket)
+{
+    int holds = 0;
+    while (socket.hasPendingDatagrams()) {
+        QByteArray datagram(64, '\0');
+        datagram.resize(socket.readDatagram(datagram.data(), datagram.size()));
+        holds += protocol::parseClientPacket(datagram)->command == 0x83;
+    }
+    return holds;
 }
 
 } // namespace
@@ -122,8 +143,9 @@ private Q_SLOTS:
         controller.open();
         QTRY_VERIFY_WITH_TIMEOUT(controller.trouble(), 20000);
         QCOMPARE(controller.trouble()->kind, ErrorKind::Network);
-        controller.hold(); // nowhere to send it: that is said, not kept quiet
-        QCOMPARE(controller.holdProgress(), HoldProgress::Unconfirmed);
+        Door door {controller};
+        door.orders.hold(); // nowhere to send it: that is said, not kept quiet
+        QCOMPARE(controller.holdState().word, HoldWord::Unconfirmed);
     }
 
     void aShortTimeoutIsNoLostLink()
@@ -175,12 +197,13 @@ private Q_SLOTS:
         Server server {onAnyPort()};
         QVERIFY(server.start());
         Controller controller {profileOf(server.port())};
-        controller.hold(); // no link yet: nothing happens
-        QCOMPARE(controller.holdProgress(), HoldProgress::Idle);
+        Door door {controller};
+        door.orders.hold(); // no link yet: nothing happens
+        QCOMPARE(controller.holdState().word, HoldWord::None);
         controller.open();
-        controller.hold(); // while checking
-        QCOMPARE(controller.holdProgress(), HoldProgress::Sent);
-        QTRY_COMPARE(controller.holdProgress(), HoldProgress::Confirmed);
+        door.orders.hold(); // while checking
+        QCOMPARE(controller.holdState().word, HoldWord::Asked);
+        QTRY_VERIFY(controller.holdFacts().order->progress == HoldOrder::Progress::Confirmed);
         QVERIFY(server.memory().status.data2 & values::Status::HeldByCommand);
     }
 
@@ -189,16 +212,71 @@ private Q_SLOTS:
         QUdpSocket silent;
         QVERIFY(silent.bind(QHostAddress::LocalHost, 0));
         Controller controller {profileOf(silent.localPort())};
+        Door door {controller};
         controller.open();
-        controller.hold();
-        QTRY_COMPARE(controller.holdProgress(), HoldProgress::Unconfirmed);
-        int holds = 0;
-        while (silent.hasPendingDatagrams()) {
-            QByteArray datagram(64, '\0');
-            datagram.resize(silent.readDatagram(datagram.data(), datagram.size()));
-            holds += protocol::parseClientPacket(datagram)->command == 0x83;
-        }
-        QVERIFY(holds >= 7); // every 100 ms at the latest, for 2 s, on a link that was never measured
+        door.orders.hold();
+        QTRY_COMPARE(controller.holdState().word, HoldWord::Unconfirmed);
+        QVERIFY(holdsIn(silent) >= 7); // every 40 ms for 2 s, on a computer that may be busy
+    }
+
+    /// Nobody hears of HOLD before its packet has left.
+    void firstThePacketThenTheWords()
+    {
+        QUdpSocket silent;
+        QVERIFY(silent.bind(QHostAddress::LocalHost, 0));
+        Controller controller {profileOf(silent.localPort())};
+        Door door {controller};
+        controller.open();
+        QList<int> sentBefore;
+        const auto look = [&] {
+            (void)silent.waitForReadyRead(1000);
+            sentBefore << holdsIn(silent);
+        };
+        connect(&controller, &Controller::holdOrderChanged, &silent, look, Qt::SingleShotConnection);
+        door.orders.hold();
+        QCOMPARE(sentBefore, QList<int> {1});
+    }
+
+    /// Release, a new start, a lost link, a controller that restarts: nothing of the last HOLD stays under the button.
+    void nothingOldIsSaid()
+    {
+        auto server = std::make_unique<Server>(onAnyPort());
+        QVERIFY(server->start());
+        const quint16 port = server->port();
+        Controller controller {profileOf(port)};
+        Door door {controller};
+        controller.open();
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        door.orders.hold();
+        QTRY_COMPARE(controller.holdState().word, HoldWord::HeldByCommand);
+        server->memory().status.data2.setFlag(values::Status::HeldByCommand, false); // whoever did that
+        QTRY_COMPARE(controller.holdState().word, HoldWord::Released);
+        QTRY_COMPARE(controller.holdState().word, HoldWord::None);
+        server->memory().status.data2.setFlag(values::Status::HeldByPendant);
+        QTRY_COMPARE(controller.holdState().word, HoldWord::HeldByPendant);
+        server->memory().status.data2.setFlag(values::Status::HeldByPendant, false);
+        door.orders.hold();
+        QTRY_COMPARE(controller.holdState().word, HoldWord::HeldByCommand);
+        server.reset();
+        QTRY_COMPARE(controller.holdState().word, HoldWord::None); // nobody knows
+        Server again {onAnyPort(port)};
+        QVERIFY(again.start());
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        QCOMPARE(controller.holdState().word, HoldWord::None);
+    }
+
+    void holdArrivesThroughHeavyLoss()
+    {
+        Server server {onAnyPort()};
+        QVERIFY(server.start());
+        Controller controller {profileOf(server.port())};
+        Door door {controller};
+        controller.open();
+        QTRY_COMPARE(controller.linkState(), LinkState::Monitoring);
+        server.setFaults(*virtualcontroller::Faults::parse(u"seed=3; 0x83 request lose p=0.9; 0x83 reply lose p=0.9"));
+        door.orders.hold();
+        QTRY_VERIFY(server.memory().status.data2 & values::Status::HeldByCommand);
+        QTRY_COMPARE(controller.holdState().word, HoldWord::HeldByCommand);
     }
 
     void servoOffIsConfirmedByTheStatus()

@@ -172,7 +172,7 @@ void TestNameBook::proposesTellingNumbers()
 void TestNameBook::countsEdges()
 {
     RobotState state;
-    state.setLinkUp(true, std::chrono::steady_clock::now());
+    state.setLinkUp(true, values::now());
     SignalWatch watch {state};
     QSignalSpy listChanged {&watch, &SignalWatch::listChanged};
     const names::Signal door {1, 0};
@@ -183,17 +183,17 @@ void TestNameBook::countsEdges()
     QCOMPARE(listChanged.count(), 3);
     QCOMPARE(watch.topics().size(), 2);
     for (const int bits : {0, 1, 1, 0, 3, 2})
-        state.take<Kind::IoGroup>(1, values::IoGroup {quint8(bits)}, std::chrono::steady_clock::now());
+        state.take<Kind::IoGroup>(1, values::IoGroup {quint8(bits)}, values::now());
     QCOMPARE(watch.traces()[0].rises, 2);
     QCOMPARE(watch.traces()[0].falls, 2);
     QCOMPARE(watch.traces()[1].rises, 1);
     QVERIFY(watch.traces()[0].changed.isValid());
     QVERIFY(!watch.traces()[2].spans.back().isOn); // never read
     // A gap counts nothing.
-    state.setLinkUp(false, std::chrono::steady_clock::now());
+    state.setLinkUp(false, values::now());
     QVERIFY(!watch.traces()[0].spans.back().isOn);
-    state.setLinkUp(true, std::chrono::steady_clock::now());
-    state.take<Kind::IoGroup>(1, values::IoGroup {1}, std::chrono::steady_clock::now());
+    state.setLinkUp(true, values::now());
+    state.take<Kind::IoGroup>(1, values::IoGroup {1}, values::now());
     watch.reset();
     QCOMPARE(watch.traces()[0].rises, 0);
     watch.remove(door);

@@ -174,7 +174,7 @@ private Q_SLOTS:
         Told told;
         {
             QObject context;
-            cell.orders->send(protocol::CancelError {}, {Act::CancelError}, &context, told.handler());
+            cell.orders->send(protocol::ResetAlarm {}, {Act::ResetAlarm}, &context, told.handler());
         }
         QTRY_COMPARE(cell.records.size(), 1); // what was ordered is recorded all the same
         QVERIFY(cell.records.constFirst().outcome == Outcome::Done);
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(cell.live(Level::Monitor));
         cell.orders->hold();
         cell.orders->hold(); // again: one record
-        QTRY_VERIFY(cell.controller->holdProgress() == HoldProgress::Confirmed);
+        QTRY_VERIFY(cell.controller->holdState().word == HoldWord::HeldByCommand);
         QCOMPARE(cell.records.size(), 1);
         QCOMPARE(cell.records.constFirst().action, QStringLiteral("hold"));
         QVERIFY(cell.records.constFirst().outcome == Outcome::Done);
@@ -265,6 +265,39 @@ private Q_SLOTS:
         cell.orders->send(protocol::HlockOff {}, {Act::HlockOff}, this, {});
         QTRY_VERIFY(!cell.orders->isPendantLocked());
         QCOMPARE(changes.count(), 2);
+    }
+
+    /// One confirmation, one order, whatever waits in an event queue.
+    void theSameOrderIsNotSentTwice()
+    {
+        Cell cell;
+        QVERIFY(cell.armed());
+        cell.server->memory().status.data2.setFlag(Status::ServoOn, false);
+        Told first;
+        Told second;
+        for (Told *told : {&first, &second})
+            cell.orders->send(protocol::ServoOn {}, {Act::ServoOn}, this, told->handler());
+        QTRY_COMPARE(first.count + second.count, 2);
+        QVERIFY(first.result.has_value());
+        QVERIFY(second.result.error().kind == ErrorKind::NotSent);
+        QCOMPARE(cell.server->arrived(0x83), 1);
+        Told third; // the first has ended
+        cell.orders->send(protocol::ServoOn {}, {Act::ServoOn}, this, third.handler());
+        QTRY_COMPARE(third.count, 1);
+        QVERIFY(third.result.has_value());
+    }
+
+    void othersAreSentBesideIt()
+    {
+        Cell cell;
+        QVERIFY(cell.live());
+        const auto begin = [&](const char *file) {
+            return cell.orders->begin({Act::Upload, QLatin1String(file)}, this, {});
+        };
+        Attempt *one = begin("A.JBI");
+        QVERIFY(one && !begin("A.JBI") && begin("B.JBI"));
+        one->end({});
+        QVERIFY(begin("A.JBI"));
     }
 
     void anotherWayIsCheckedAndRecordedToo()

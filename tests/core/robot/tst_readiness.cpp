@@ -151,15 +151,17 @@ void TestReadiness::rows_data()
     row("HOLD never tried", nothing, Subject::Hold, Allowed, Assumed);
     row("HOLD without REMOTE", remoteOff, Subject::Hold, Allowed, Assumed);
     row(
-        "HOLD sent", [](ReadinessFacts &f) { f.hold = HoldProgress::Sent; }, Subject::Hold, Allowed, Assumed);
+        "HOLD sent", [](ReadinessFacts &f) { f.hold = HoldOrder {HoldOrder::Progress::UnderWay}; }, Subject::Hold,
+        Allowed, Assumed);
     row(
-        "HOLD confirmed", [](ReadinessFacts &f) { f.hold = HoldProgress::Confirmed; }, Subject::Hold, Allowed,
-        Measured);
+        "HOLD confirmed", [](ReadinessFacts &f) { f.hold = HoldOrder {HoldOrder::Progress::Confirmed}; }, Subject::Hold,
+        Allowed, Measured);
     row(
-        "HOLD refused", [](ReadinessFacts &f) { f.hold = HoldProgress::Refused; }, Subject::Hold, NotAllowed, Measured);
+        "HOLD refused", [](ReadinessFacts &f) { f.hold = HoldOrder {HoldOrder::Progress::Refused}; }, Subject::Hold,
+        NotAllowed, Measured);
     row(
-        "HOLD unconfirmed", [](ReadinessFacts &f) { f.hold = HoldProgress::Unconfirmed; }, Subject::Hold, NotKnown,
-        Measured);
+        "HOLD unconfirmed", [](ReadinessFacts &f) { f.hold = HoldOrder {HoldOrder::Progress::Unconfirmed}; },
+        Subject::Hold, NotKnown, Measured);
 
     row("files listed", nothing, Subject::Files, Allowed, Assumed); // none was transferred
     row("files without REMOTE", remoteOff, Subject::Files, NotAllowed, Measured); // 0xE2B2

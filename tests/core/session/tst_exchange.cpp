@@ -90,9 +90,11 @@ private Q_SLOTS:
         QTest::addColumn<int>("leastTries");
         QTest::addColumn<int>("mostTries");
         QTest::addColumn<ErrorKind>("error");
-        // silence, nothing measured: a read waits 300 ms three times; a stop goes on for 2 s, every 300 ms
+        // silence, nothing measured: a read waits 300 ms three times; a stop goes on for 2 s, every 40 ms, and so does
+        // the read that goes with it
         QTest::newRow("read") << Effect::Reads << Priority::Page << 3 << 3 << ErrorKind::NoAnswer;
-        QTest::newRow("stop") << Effect::Stops << Priority::Stop << 7 << 7 << ErrorKind::NoAnswer;
+        QTest::newRow("stop") << Effect::Stops << Priority::Stop << 50 << 50 << ErrorKind::NoAnswer;
+        QTest::newRow("status of a stop") << Effect::Reads << Priority::Stop << 50 << 50 << ErrorKind::NoAnswer;
         QTest::newRow("write") << Effect::Writes << Priority::Control << 1 << 1 << ErrorKind::UnknownOutcome;
         QTest::newRow("start") << Effect::Starts << Priority::Control << 1 << 1 << ErrorKind::UnknownOutcome;
         QTest::newRow("move") << Effect::Moves << Priority::Control << 1 << 1 << ErrorKind::UnknownOutcome;
@@ -113,6 +115,42 @@ private Q_SLOTS:
         QCOMPARE(wire.endings.front().ticket, ticket);
         QCOMPARE(wire.endings.front().reply.error().kind, error);
         QVERIFY(wire.exchange.isIdle());
+    }
+
+    /// Whatever the link has done so far: no wait grows, and 60 of 60 arrive where nine of ten packets are lost.
+    void stopsArriveThroughHeavyLoss()
+    {
+        Wire wire;
+        std::minstd_rand random {60};
+        std::bernoulli_distribution isLost {0.9};
+        int arrived = 0;
+        for (int i = 0; i < 60; ++i) {
+            wire.order(Effect::Stops, Priority::Stop);
+            bool hasArrived = false;
+            for (const Time end = wire.now + 2s; wire.now < end; wire.now += 40ms) {
+                const auto tries = wire.depart();
+                QCOMPARE(tries.size(), hasArrived ? 0 : 1);
+                if (hasArrived || isLost(random))
+                    continue;
+                hasArrived = true;
+                QVERIFY(wire.answer(tries.first()));
+            }
+            arrived += hasArrived;
+            wire.runUntil(wire.now + 10s);
+        }
+        QCOMPARE(arrived, 60);
+    }
+
+    void nothingGoesBeforeAStop()
+    {
+        Wire wire;
+        wire.read();
+        QCOMPARE(wire.depart().size(), 1);
+        wire.now += 300ms; // the read is due again
+        wire.order(Effect::Stops, Priority::Stop);
+        const auto packets = wire.depart();
+        QCOMPARE(packets.size(), 2);
+        QCOMPARE(protocol::parseClientPacket(packets.first())->command, quint16(0x83));
     }
 
     void aRepeatKeepsItsId()

@@ -33,7 +33,6 @@ private Q_SLOTS:
     void everyPageHasHelp();
     void showsThePageInView_data() { rows(); }
     void showsThePageInView();
-    void followsThePage();
     void listsEveryKey();
     void samplesAreTheRealOnes();
     void searches();
@@ -74,21 +73,6 @@ void TestHelpDialog::showsThePageInView()
     QCOMPARE(help(harness)->findChild<QLabel *>(QStringLiteral("helpTitle"))->text(), ui::title(page));
     for (const QString &sentence : ui::helpOf(page))
         QVERIFY2(says(help(harness), sentence), qPrintable(sentence));
-}
-
-void TestHelpDialog::followsThePage()
-{
-    Harness harness;
-    harness.window.show();
-    harness.window.actions().action(ui::ActionId::Help)->trigger();
-    QTRY_VERIFY(help(harness));
-    harness.window.view().openPage(4);
-    QCOMPARE(help(harness)->page(), 4);
-    QVERIFY(says(help(harness), ui::helpOf(ui::pageCatalog()[4]).first()));
-    harness.window.offer(harness.profile()); // another controller, and the first page again
-    QCOMPARE(help(harness)->page(), 0);
-    harness.window.actions().action(ui::ActionId::Help)->trigger(); // no second one
-    QCOMPARE(harness.window.findChildren<HelpDialog *>().size(), 1);
 }
 
 void TestHelpDialog::listsEveryKey()

@@ -22,7 +22,7 @@ using Tester = QAbstractItemModelTester;
 
 namespace {
 
-robot::Time now() { return std::chrono::steady_clock::now(); }
+robot::Time now() { return values::now(); }
 
 values::Error refusal() { return {values::ErrorKind::Refused, 0x1F, 0xA001, {}}; }
 
@@ -50,7 +50,7 @@ struct Desk {
     protocol::Dialect dialect = protocol::dialect(protocol::Model::YRC1000);
     robot::AccessRules rules;
     robot::Access access {rules};
-    robot::Arming arming;
+    robot::Arming arming {std::chrono::hours {1}}; ///< However busy the computer is.
     robot::Controller controller;
     robot::Orders orders;
     robot::NameBook book;

@@ -10,9 +10,9 @@
 #include "ui/pages/filespage.h"
 
 #include <QAbstractItemModelTester>
+#include <QDialog>
 #include <QDir>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -79,7 +79,7 @@ bool choose(QListWidget *list, const QString &text)
 template <typename Dialog> Dialog *waitForDialog(QWidget *page, const char *name)
 {
     Dialog *dialog = nullptr;
-    (void)QTest::qWaitFor([&] { return (dialog = find<Dialog>(page, name)) && dialog->isActiveWindow(); });
+    (void)QTest::qWaitFor([&] { return (dialog = find<Dialog>(page->window(), name)) && dialog->isActiveWindow(); });
     return dialog;
 }
 
@@ -135,7 +135,7 @@ void TestFilePages::asksBeforeItReplaces()
     desk.picture(dialog, "overwrite");
     QVERIFY(find<QPushButton>(dialog, "skip")->isDefault());
     QTest::keyClick(dialog, Qt::Key_Return); // the default
-    QTRY_VERIFY(!find<dialogs::OverwriteDialog>(page, "overwriteDialog"));
+    QTRY_VERIFY(!find<dialogs::OverwriteDialog>(page->window(), "overwriteDialog"));
     QCOMPARE(files::readFile(desk.local("HOME.JBI")).value_or("?"), "mine");
     QTRY_VERIFY(find<QPushButton>(page, "fetchFiles")->isEnabled()); // a busy computer may lose the link for a moment
     QTest::mouseClick(find<QPushButton>(page, "fetchFiles"), Qt::LeftButton);
@@ -184,7 +184,7 @@ void TestFilePages::sendsAndRecords()
     QVERIFY(choose(find<QListWidget>(page, "remoteFiles"), QStringLiteral("FRESH.JBI")));
     QTRY_VERIFY(find<QPushButton>(page, "delete-file")->isEnabled());
     QTest::mouseClick(find<QPushButton>(page, "delete-file"), Qt::LeftButton);
-    auto *box = waitForDialog<QMessageBox>(page, "deleteFiles");
+    auto *box = waitForDialog<QDialog>(page, "deleteFiles");
     QVERIFY(box && desk.remote().contains("FRESH.JBI"));
     QTest::mouseClick(find<QPushButton>(box, "confirmDelete"), Qt::LeftButton);
     QTRY_VERIFY(!desk.remote().contains("FRESH.JBI"));

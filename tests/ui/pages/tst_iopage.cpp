@@ -49,6 +49,7 @@ private Q_SLOTS:
     void onlyRowsInViewAreRead();
     void goesToEitherNotation();
     void networkInputsAreWritten();
+    void returnInANameIsItsOwn();
     void otherLampsSayWhyNot();
     void aRefusedGroupIsSaidOnce();
     void namesAreShownAndEdited();
@@ -118,6 +119,22 @@ void TestIoPage::goesToEitherNotation()
     QVERIFY(room.find<QLabel>("complaint")->text().contains(QStringLiteral("0 to 7")));
 }
 
+/// Naming an input ends with Return, which must not go on to the lamp.
+void TestIoPage::returnInANameIsItsOwn()
+{
+    Lamps room;
+    QVERIFY(room.open());
+    QCOMPARE(room.go("#27013"), QStringLiteral("#27013"));
+    room.table()->setFocus();
+    room.table()->edit(room.table()->currentIndex());
+    QTRY_VERIFY(room.table()->viewport()->isAncestorOf(QApplication::focusWidget()));
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("Clamp"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTRY_VERIFY(!room.table()->viewport()->isAncestorOf(QApplication::focusWidget()));
+    QVERIFY(!room.dialog("ioWriteDialog"));
+    QCOMPARE(room.lamp(0, 3).name.text, QStringLiteral("Clamp"));
+}
+
 void TestIoPage::networkInputsAreWritten()
 {
     Lamps room;
@@ -162,8 +179,7 @@ void TestIoPage::aRefusedGroupIsSaidOnce()
     Lamps room;
     QVERIFY(room.open());
     auto &state = room.harness.state();
-    state.refuse(
-        {robot::Kind::IoGroup, 3, 4}, {values::ErrorKind::Refused, 0x1F, 0x2110, {}}, std::chrono::steady_clock::now());
+    state.refuse({robot::Kind::IoGroup, 3, 4}, {values::ErrorKind::Refused, 0x1F, 0x2110, {}}, values::now());
     const QString sentence = room.find<QLabel>("sentence")->text();
     QVERIFY2(sentence.contains(QStringLiteral("2 group(s) from #00030")), qPrintable(sentence));
     QCOMPARE(sentence.count(QStringLiteral("0x2110")), 1);
@@ -215,8 +231,8 @@ void TestIoPage::pictures()
     QTRY_VERIFY(room.lamp(0, 0).freshness == Freshness::Live);
     room.memory().io[2701] = 0b0101'0110;
     QTRY_VERIFY(room.lamp(0, 1).isOn);
-    room.harness.state().refuse({robot::Kind::IoGroup, 2704, 2705}, {values::ErrorKind::Refused, 0x1F, 0x2110, {}},
-        std::chrono::steady_clock::now());
+    room.harness.state().refuse(
+        {robot::Kind::IoGroup, 2704, 2705}, {values::ErrorKind::Refused, 0x1F, 0x2110, {}}, values::now());
     room.harness.window.resize(1024, 768);
     room.picture(QStringLiteral("io-network-1024"));
     room.harness.window.resize(1440, 900);

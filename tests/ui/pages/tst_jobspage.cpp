@@ -29,6 +29,7 @@ private Q_SLOTS:
     void favouritesStandFirst();
     void aNewListKeepsTheSelection();
     void showsTheTextAndFollows();
+    void followingChangesNoChoice();
     void outlineJumps();
     void anOldCopySaysSo();
     void aDeletedJobIsExplained();
@@ -42,7 +43,8 @@ private Q_SLOTS:
     void pendantMessageCountsBytes_data();
     void pendantMessageCountsBytes();
     void pendantLockHasABannerEverywhere();
-    void pendantLockIsOfferedToBeReleasedAtExit();
+    void leavingWithThePendantLockedAsks_data();
+    void leavingWithThePendantLockedAsks();
     void armingNeedsBoxesAndASecond();
     void everythingSaysWhyNotInMonitor();
     void tasksAreReadOnDemand();
@@ -123,6 +125,22 @@ void TestJobsPage::showsTheTextAndFollows()
     harness.server->memory().settings.lineTime = std::chrono::milliseconds {5};
     virtualcontroller::startJob(harness.server->memory());
     QTRY_VERIFY(view->executingLine().value_or(0) > 1);
+}
+
+void TestJobsPage::followingChangesNoChoice()
+{
+    JobsHarness harness;
+    QVERIFY(harness.openJobs());
+    harness.choose(QStringLiteral("PALLET"));
+    auto *view = harness.find<widgets::JobView>("jobText");
+    const auto *select = harness.find<QPushButton>("select-job");
+    QCOMPARE(select->text(), QStringLiteral("Select PALLET"));
+    virtualcontroller::startJob(harness.server->memory()); // of WELD_A12
+    QTRY_VERIFY(view->toPlainText().contains(QStringLiteral("CALL JOB:CLAMP")));
+    QCOMPARE(harness.list()->currentIndex().data().toString(), QStringLiteral("PALLET"));
+    QCOMPARE(select->text(), QStringLiteral("Select PALLET"));
+    harness.choose(QStringLiteral("PALLET")); // again: its text
+    QTRY_VERIFY(view->toPlainText().contains(QStringLiteral("*NEXT")));
 }
 
 void TestJobsPage::outlineJumps()
@@ -322,17 +340,45 @@ void TestJobsPage::pendantLockHasABannerEverywhere()
     QVERIFY(!harness.server->memory().interlocks.isPendantLocked);
 }
 
-void TestJobsPage::pendantLockIsOfferedToBeReleasedAtExit()
+void TestJobsPage::leavingWithThePendantLockedAsks_data()
 {
+    using Way = void (*)(JobsHarness &);
+    using HasLeft = bool (*)(const JobsHarness &);
+    QTest::addColumn<Way>("leave");
+    QTest::addColumn<HasLeft>("hasLeft");
+    QTest::newRow("close") << Way([](JobsHarness &harness) { harness.window.close(); })
+                           << HasLeft([](const JobsHarness &harness) { return !harness.window.isVisible(); });
+    QTest::newRow("disconnect") << Way([](JobsHarness &harness) {
+        harness.window.actions().action(ui::ActionId::Disconnect)->trigger();
+    }) << HasLeft([](const JobsHarness &harness) {
+        return harness.window.controller().linkState() == robot::LinkState::Disconnected;
+    });
+    QTest::newRow("connect elsewhere") << Way([](JobsHarness &harness) {
+        settings::Profile other = harness.profile();
+        other.name = QStringLiteral("PAINT 1");
+        harness.window.connectTo(other);
+    }) << HasLeft([](const JobsHarness &harness) {
+        return harness.window.controller().profile().name == QStringLiteral("PAINT 1");
+    });
+}
+
+void TestJobsPage::leavingWithThePendantLockedAsks()
+{
+    QFETCH(void (*)(JobsHarness &), leave);
+    QFETCH(bool (*)(const JobsHarness &), hasLeft);
     JobsHarness harness;
     QVERIFY(harness.openJobs());
     harness.click("hlock-on");
     QTRY_VERIFY(harness.orders().isPendantLocked());
-    harness.window.close();
-    QVERIFY(harness.window.isVisible());
+    leave(harness);
+    QVERIFY(!hasLeft(harness));
     QVERIFY(harness.find("releaseLockBox"));
+    harness.click("cancelButton");
+    QTRY_VERIFY(!harness.find("releaseLockBox"));
+    QVERIFY(!hasLeft(harness) && harness.orders().isPendantLocked());
+    leave(harness);
     harness.click("releaseLock");
-    QTRY_VERIFY(!harness.window.isVisible());
+    QTRY_VERIFY(hasLeft(harness));
     QVERIFY(!harness.server->memory().interlocks.isPendantLocked);
 }
 

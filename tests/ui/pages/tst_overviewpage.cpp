@@ -100,7 +100,7 @@ struct Desk {
     QWidget window;
     ui::Actions actions {&window};
     robot::AccessRules rules;
-    robot::Arming arming;
+    robot::Arming arming {std::chrono::hours {1}}; ///< However busy the computer is.
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
     settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     settings::ProfileStore store {file};

@@ -74,6 +74,23 @@ private Q_SLOTS:
         QVERIFY(button.button()->isEnabled());
     }
 
+    /// While it is pending Return and Space go nowhere, and afterwards they are where they were.
+    void theFocusStaysInItsPlace()
+    {
+        Harness harness;
+        QVERIFY(harness.connectLive());
+        harness.access().enter(Level::Operate);
+        OrderButton button {harness.window.view().orders(), Act::SelectCycle};
+        button.show();
+        button.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&button));
+        button.button()->setFocus();
+        button.expect([](const Situation &) { return false; });
+        QCOMPARE(QApplication::focusWidget(), &button);
+        button.stopExpecting();
+        QCOMPARE(QApplication::focusWidget(), button.button());
+    }
+
     void stoppingAsksForNothing()
     {
         Harness harness;

@@ -7,9 +7,8 @@
 #include "files/preflight.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/pages/files/remotefile.h"
+#include "ui/widgets/question.h"
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 
 using files::Direction;
 
@@ -42,18 +41,11 @@ void Offers::lookAndAsk(const QList<Offer> &offers)
 
 void Offers::tellFindings(const QStringList &sentences, const QList<Offer> &passing)
 {
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Before sending"), sentences.join(u'\n'), {}, m_window);
-    box->setObjectName(QStringLiteral("preflight"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->addButton(QMessageBox::Cancel);
+    QList<widgets::Answer> answers;
     if (!passing.isEmpty())
-        box->addButton(tr("Send %n file(s)", nullptr, int(passing.size())), QMessageBox::AcceptRole);
-    box->setDefaultButton(QMessageBox::Cancel);
-    connect(box, &QDialog::finished, this, [this, box, passing] {
-        if (box->buttonRole(box->clickedButton()) == QMessageBox::AcceptRole)
-            ask(passing);
-    });
-    box->open();
+        answers << widgets::Answer {
+            "sendFiles", tr("Send %n file(s)", nullptr, int(passing.size())), [this, passing] { ask(passing); }};
+    widgets::ask("preflight", tr("Before sending"), sentences.join(u'\n'), answers, m_window);
 }
 
 void Offers::ask(const QList<Offer> &offers)
@@ -77,7 +69,6 @@ void Offers::askAbout(const Offer &offer)
     const QString where = isDownload ? tr("on this computer") : tr("on %1").arg(m_context.station.profile().name);
     auto *dialog = new dialogs::OverwriteDialog(
         text(m_context, offer.name), where, isDownload, int(m_offers.size()) - 1, m_window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::finished, this, [this, dialog] {
         if (dialog->choice() == Choice::Compare)
             return compare(m_offers.first());
@@ -86,7 +77,7 @@ void Offers::askAbout(const Offer &offer)
         decide(dialog->choice());
         askNext();
     });
-    dialog->open();
+    dialog->show();
 }
 
 void Offers::decide(Choice choice)
@@ -115,9 +106,8 @@ void Offers::compare(const Offer &offer)
         const protocol::TextCodec codec {m_context.station.profile().encoding};
         auto *dialog = new dialogs::CompareDialog(tr("What would change in “%1”").arg(text(m_context, offer.name)),
             isDownload ? local : remote, isDownload ? remote : local, codec, {}, m_window);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &QDialog::finished, this, &Offers::askNext);
-        dialog->open();
+        dialog->show();
     });
 }
 

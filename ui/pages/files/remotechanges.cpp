@@ -5,9 +5,8 @@
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/jobeditor.h"
 #include "ui/pages/files/remotefile.h"
+#include "ui/widgets/question.h"
 #include <QDir>
-#include <QMessageBox>
-#include <QPushButton>
 
 using values::FileName;
 
@@ -27,10 +26,9 @@ void RemoteChanges::openEditor(const FileName &name, const QByteArray &content)
 {
     auto *editor =
         new dialogs::JobEditor(name, content, protocol::TextCodec {m_context.station.profile().encoding}, m_window);
-    editor->setAttribute(Qt::WA_DeleteOnClose);
     connect(editor, &dialogs::JobEditor::sendRequested, this,
         [this, editor, name, content](const QByteArray &edited) { compareAndSend(name, content, edited, editor); });
-    editor->open();
+    editor->show();
 }
 
 void RemoteChanges::compareAndSend(
@@ -40,13 +38,12 @@ void RemoteChanges::compareAndSend(
     const bool mayChange = older != newer && !m_context.station.orders.obstacle(robot::Act::Upload);
     const QString title = tr("What changes in “%1” on %2").arg(text(m_context, name), m_context.station.profile().name);
     auto *dialog = new dialogs::CompareDialog(title, older, newer, codec, mayChange ? tr("Send") : QString(), editor);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, name, newer, editor] {
         if (auto task = m_orders.upload(name, newer))
             m_queue.add(std::move(task));
         editor->close();
     });
-    dialog->open();
+    dialog->show();
 }
 
 void RemoteChanges::remove(const QList<FileName> &names, const QString &folderOfCopies)
@@ -54,17 +51,12 @@ void RemoteChanges::remove(const QList<FileName> &names, const QString &folderOf
     QStringList words;
     for (const FileName &name : names)
         words << text(m_context, name);
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Delete on %1").arg(m_context.station.profile().name),
-        tr("These files are deleted on %1:\n%2\nBefore that each is copied to %3.")
-            .arg(m_context.station.profile().name, words.join(u'\n'), QDir::toNativeSeparators(folderOfCopies)),
-        QMessageBox::Cancel, m_window);
-    box->setObjectName(QStringLiteral("deleteFiles"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    auto *yes = box->addButton(tr("Delete %n file(s)", nullptr, int(names.size())), QMessageBox::DestructiveRole);
-    yes->setObjectName(QStringLiteral("confirmDelete"));
-    box->setDefaultButton(QMessageBox::Cancel);
-    connect(yes, &QPushButton::clicked, this, [this, names, folderOfCopies] { removeNow(names, folderOfCopies); });
-    box->open();
+    const QString text = tr("These files are deleted on %1:\n%2\nBefore that each is copied to %3.");
+    widgets::ask("deleteFiles", tr("Delete on %1").arg(m_context.station.profile().name),
+        text.arg(m_context.station.profile().name, words.join(u'\n'), QDir::toNativeSeparators(folderOfCopies)),
+        {{"confirmDelete", tr("Delete %n file(s)", nullptr, int(names.size())),
+            [this, names, folderOfCopies] { removeNow(names, folderOfCopies); }}},
+        m_window);
 }
 
 void RemoteChanges::removeNow(const QList<FileName> &names, const QString &folderOfCopies)

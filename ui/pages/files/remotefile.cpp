@@ -4,24 +4,12 @@
 
 #include "protocol/codes.h"
 #include "session/filesession.h"
-#include <QMessageBox>
+#include "ui/widgets/question.h"
 
 using values::FileName;
 using values::Result;
 
 namespace pages {
-
-namespace {
-
-void tell(const QString &title, const QString &text, QWidget *window)
-{
-    auto *box = new QMessageBox(QMessageBox::Information, title, text, QMessageBox::Close, window);
-    box->setObjectName(QStringLiteral("fileMessage"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-}
-
-} // namespace
 
 QString text(const Context &context, const FileName &name)
 {
@@ -38,7 +26,7 @@ void readRemote(const Context &context, const FileName &name, QWidget *window,
         if (content)
             handler(*content);
         else
-            tell(title, protocol::explain(content.error()), window);
+            widgets::ask("fileMessage", title, protocol::explain(content.error()), {}, window);
     });
 }
 

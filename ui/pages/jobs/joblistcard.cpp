@@ -59,6 +59,7 @@ JobListCard::JobListCard(const Context &context, robot::JobLibrary &library, QWi
         showList();
     });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &JobListCard::onCurrentChanged);
+    connect(m_view, &QListView::clicked, this, &JobListCard::onCurrentChanged); // again, after another was followed
     connect(m_favourite, &QPushButton::clicked, this, &JobListCard::toggleFavourite);
     connect(m_read, &QPushButton::clicked, &library, &robot::JobLibrary::readList);
     connect(&library, &robot::JobLibrary::listChanged, this, &JobListCard::showList);

@@ -55,6 +55,8 @@ QString SelectCard::jobText() const
 
 void SelectCard::setJob(const values::FileName &job)
 {
+    if (m_job == job)
+        return;
     m_job = job;
     m_line->setValue(0);
     showTarget();

@@ -2,10 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/jobs/servocard.h"
 
+#include "ui/widgets/question.h"
 #include "ui/widgets/statefield.h"
 #include "ui/words.h"
-#include <QMessageBox>
-#include <QPushButton>
 
 namespace pages {
 
@@ -42,18 +41,10 @@ void ServoCard::showStatus()
 
 void ServoCard::confirmOn()
 {
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("Servo on"),
-        tr("Switch servo power on at %1?\n\nThe robot can move from then on. Nobody may be inside the fence.")
-            .arg(m_profile.name),
-        QMessageBox::Cancel, this);
-    box->setObjectName(QStringLiteral("servoOnBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    auto *yes = box->addButton(tr("Servo on"), QMessageBox::AcceptRole);
-    yes->setObjectName(QStringLiteral("confirmServoOn"));
-    yes->setAutoDefault(false);
-    box->setDefaultButton(QMessageBox::Cancel);
-    connect(yes, &QPushButton::clicked, this, &ServoCard::switchOn);
-    box->open();
+    const QString text =
+        tr("Switch servo power on at %1?\n\nThe robot can move from then on. Nobody may be inside the fence.");
+    widgets::ask("servoOnBox", tr("Servo on"), text.arg(m_profile.name),
+        {{"confirmServoOn", tr("Servo on"), [this] { switchOn(); }}}, this);
 }
 
 void ServoCard::switchOn()
