@@ -27,8 +27,7 @@ QByteArray stretch(QByteArrayView first, QByteArrayView last)
 
 QByteArray textOf(const Term &term)
 {
-    const QByteArray written =
-        term.kind == TermKind::Number ? canonicalNumber(term.written) : term.written.toByteArray();
+    const QByteArray written = term.written.toByteArray();
     return term.element.isEmpty() ? written : written + " (" + term.element.toByteArray() + ')';
 }
 

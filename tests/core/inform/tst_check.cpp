@@ -194,6 +194,7 @@ void TestCheck::bearsSize_data()
     QTest::addColumn<QByteArray>("lines");
     QTest::newRow("20,000 lines") << QByteArray("SET B001 1\r\n").repeated(20000);
     QTest::newRow("one long line") << "MOVJX " + QByteArray("P001 ").repeated(100000) + "\r\n";
+    QTest::newRow("brackets in brackets") << "SETX " + QByteArray("B[").repeated(1000000) + "\r\n";
     QTest::newRow("10,000 labels") << QByteArray("*ABCDEFG\r\nJUMP *NO\r\n").repeated(10000);
     QTest::newRow("10,000 structures") << QByteArray("WHILEEXP B000=1\r\n").repeated(10000);
 }

@@ -237,7 +237,7 @@ void TestJobDiff::comparesPairs_data()
         QStringLiteral("Control group GROUP2 added: ST1"), QStringLiteral("Local variables LB: 1 → 5")};
     QTest::newRow("angle-unit") << QStringList {QStringLiteral("Line 1 EC00000: moved 5° in axis 1")};
     QTest::newRow("words") << QStringList {QStringLiteral("Line 1 SET B005: 1 → 2"),
-        QStringLiteral("Line 2 +MOVJ of RB2: VJ 10 → 50"), QStringLiteral("Line 3 MSG: \"A  B\" → \"A B\"")};
+        QStringLiteral("Line 2 +MOVJ of RB2: VJ 10.00 → 50.00"), QStringLiteral("Line 3 MSG: \"A  B\" → \"A B\"")};
     QTest::newRow("locale") << QStringList {QStringLiteral("Line 1 C00000: moved 12496 pulses in S, 5 pulses in L")};
 }
 
@@ -291,9 +291,9 @@ void TestJobDiff::explains_data()
         {QStringLiteral("P012: type BASE → ROBOT"), QStringLiteral("P013: type BASE → ROBOT")});
     row("POSTYPE BASE", "LIMIT ON\r\n///POSTYPE BASE",
         {QStringLiteral("P012: marked as beyond the limit"), QStringLiteral("P013: marked as beyond the limit")});
-    row("V=100.0", "V=150.0", {QStringLiteral("Line 3 MOVL: V 100 → 150")});
+    row("V=100.0", "V=150.0", {QStringLiteral("Line 3 MOVL: V 100.0 → 150.0")});
     row("V=100.0", "V=100.0 PL=0", {QStringLiteral("Line 3 MOVL: PL 0 added")});
-    row("VJ=25.00", "", {QStringLiteral("Line 2 MOVJ: VJ 25 removed")});
+    row("VJ=25.00", "", {QStringLiteral("Line 2 MOVJ: VJ 25.00 removed")});
     row("V=100.0", "V=100.0  //CAREFUL", {QStringLiteral("Line 3, comment added: “CAREFUL”")});
     row("DOUT OT", "COMM DOUT OT", {QStringLiteral("Line 4 commented out: COMM DOUT OT#(1) ON")});
     row("DOUT OT", "EDTLCK DOUT OT", {QStringLiteral("Line 4 locked against editing: EDTLCK DOUT OT#(1) ON")});

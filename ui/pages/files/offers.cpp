@@ -22,7 +22,7 @@ Offers::Offers(const Context &context, QWidget *window)
 
 void Offers::lookAndAsk(const QList<Offer> &offers)
 {
-    const protocol::TextCodec codec {m_context.profile.encoding};
+    const protocol::TextCodec codec {m_context.station.profile().encoding};
     QList<Offer> passing;
     QStringList sentences;
     for (const Offer &each : offers) {
