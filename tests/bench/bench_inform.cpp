@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-// What jobs cost: reading a megabyte of them, comparing two backups of 500 jobs, and opening one of 10,000 lines. It
-// prints a table and judges nothing; the floor of reading is a pass over the same bytes that looks for line ends.
+// What jobs cost: reading and checking a few megabytes of them, comparing two backups of 500 jobs. It prints a table
+// and judges nothing; the floor of reading is a pass over the same bytes that looks for line ends.
 #include "inform/check.h"
 #include "inform/jobdiff.h"
 #include "support/jobs.h"
-#include "ui/widgets/jobview.h"
-#include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <cstdio>
@@ -90,32 +88,11 @@ void benchComparing()
         milliseconds(clock), edits);
 }
 
-void benchOpening()
-{
-    const QByteArray content = longJob(2000, 0);
-    widgets::JobView view;
-    view.resize(600, 800);
-    view.show();
-    QApplication::processEvents();
-    QElapsedTimer clock;
-    clock.start();
-    const inform::Job job = inform::parse(content);
-    QStringList lines;
-    for (int line = 0; line < job.lineCount(); ++line)
-        lines << QString::fromLatin1(job.at(line).text);
-    view.showLines(lines, job.aliases);
-    (void)view.grab();
-    std::printf("opening   %8.1f ms     (%d lines, to the first paint with highlighting)\n", milliseconds(clock),
-        job.lineCount());
-}
-
 } // namespace
 
-int main(int argc, char *argv[])
+int main()
 {
-    const QApplication application {argc, argv};
     benchReading();
     benchComparing();
-    benchOpening();
     return 0;
 }
