@@ -44,9 +44,10 @@ bool passes(const FileName &name, const QString &path, const Call &call)
         return false;
     }
     const auto findings = files::preflight(name, *content);
-    for (const files::Finding &finding : findings) {
-        if (finding.stops() || !call.isQuiet)
-            complain(QStringLiteral("%1: %2").arg(path, explain(finding)));
+    const protocol::TextCodec codec {call.profile.encoding};
+    for (const inform::Finding &finding : findings) {
+        if (finding.isError() || !call.isQuiet)
+            complain(QStringLiteral("%1: %2").arg(path, files::explain(finding, codec)));
     }
     return files::mayBeSent(findings);
 }

@@ -29,6 +29,7 @@ constexpr std::array verbs {
     Verb {"registers", QT_TRANSLATE_NOOP("pendeskctl", "read and write registers"), runRegisters},
     Verb {"var", QT_TRANSLATE_NOOP("pendeskctl", "read and write variables"), runVar},
     Verb {"files", QT_TRANSLATE_NOOP("pendeskctl", "list, read, send and delete files"), runFiles},
+    Verb {"check", QT_TRANSLATE_NOOP("pendeskctl", "look at jobs before they are sent"), runCheck},
     Verb {"backup", QT_TRANSLATE_NOOP("pendeskctl", "read all files of a controller into a new backup"), runBackup},
     Verb {"verify", QT_TRANSLATE_NOOP("pendeskctl", "tell whether a backup is what was written"), runVerify},
     Verb {"show", QT_TRANSLATE_NOOP("pendeskctl", "tell what controller files say"), runShow},

@@ -17,6 +17,7 @@ int runWatch(const QStringList &arguments);
 int runJobs(const QStringList &arguments);
 int runFiles(const QStringList &arguments);
 int runBackup(const QStringList &arguments);
+int runCheck(const QStringList &arguments);
 int runVerify(const QStringList &arguments);
 int runShow(const QStringList &arguments);
 int runCompare(const QStringList &arguments);

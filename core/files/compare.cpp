@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/compare.h"
 
-#include "files/inform.h"
+#include "inform/jobdiff.h"
 #include "inform/linediff.h"
 #include <algorithm>
 
@@ -10,8 +10,8 @@ using values::FileName;
 
 namespace files {
 
-using inform::Hunk;
 using inform::diffLines;
+using inform::Hunk;
 
 namespace {
 
@@ -42,7 +42,10 @@ Change changeOf(const FileName &name, const FileSet &older, const FileSet &newer
     return before->second == after->second ? Change::Same : changeOfBytes(name, older, newer, noise);
 }
 
-QByteArray lineAt(const QList<Line> &lines, int index) { return index < 0 ? QByteArray {} : lines.at(index).text; }
+QByteArray lineAt(const std::vector<inform::TextLine> &lines, int index)
+{
+    return index < 0 ? QByteArray {} : lines[std::size_t(index)].text.toByteArray();
+}
 
 } // namespace
 
@@ -68,8 +71,8 @@ int differences(const QList<FileChange> &changes)
 
 QList<ComparedLine> compareText(const QByteArray &older, const QByteArray &newer, const NoiseFilter &noise)
 {
-    const auto oldLines = splitLines(older);
-    const auto newLines = splitLines(newer);
+    const auto oldLines = inform::splitLines(older);
+    const auto newLines = inform::splitLines(newer);
     QList<ComparedLine> result;
     int oldAt = 0;
     int newAt = 0;
@@ -87,6 +90,21 @@ QList<ComparedLine> compareText(const QByteArray &older, const QByteArray &newer
     }
     addSameUntil(int(oldLines.size()));
     return result;
+}
+
+QStringList jobEdits(
+    const QByteArray &older, const QByteArray &newer, const NoiseFilter &noise, const protocol::TextCodec &codec)
+{
+    const inform::Job before = inform::parse(older);
+    const inform::Job after = inform::parse(newer);
+    QStringList texts;
+    if (!before.isJob || !after.isJob)
+        return texts;
+    const auto clean = [&noise](const QByteArray &text) { return noise.clean(text); };
+    const auto decode = [&codec](QByteArrayView bytes) { return codec.decode(bytes); };
+    for (const inform::JobEdit &edit : inform::diffJobs(before, after, clean))
+        texts << inform::explain(edit, decode);
+    return texts;
 }
 
 } // namespace files

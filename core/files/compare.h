@@ -4,6 +4,7 @@
 
 #include "files/fileset.h"
 #include "files/noise.h"
+#include "protocol/text.h"
 #include <QList>
 
 namespace files {
@@ -42,5 +43,9 @@ struct ComparedLine {
 };
 [[nodiscard]] QList<ComparedLine> compareText(
     const QByteArray &older, const QByteArray &newer, const NoiseFilter &noise);
+
+/// What was done to a job, one sentence an edit (inform::diffJobs); empty unless both are jobs.
+[[nodiscard]] QStringList jobEdits(
+    const QByteArray &older, const QByteArray &newer, const NoiseFilter &noise, const protocol::TextCodec &codec);
 
 } // namespace files

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/noise.h"
 
-#include "files/inform.h"
+#include "inform/lines.h"
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <algorithm>
@@ -71,8 +71,8 @@ QByteArray NoiseFilter::clean(const QByteArray &line) const
 QByteArrayList NoiseFilter::cleanLines(const QByteArray &content) const
 {
     QByteArrayList result;
-    for (const Line &line : splitLines(content))
-        result << clean(line.text + line.ending);
+    for (const inform::TextLine &line : inform::splitLines(content))
+        result << clean(line.whole());
     return result;
 }
 

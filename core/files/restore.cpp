@@ -35,9 +35,9 @@ QString obstacle(const FileName &name, const FileSet &bag, Change change, const 
     const auto content = bag.content(name);
     if (!content)
         return RestoreTexts::tr("In the backup it is not as it was written.");
-    for (const Finding &finding : preflight(name, *content, wish.jobsInUse)) {
-        if (finding.stops())
-            return explain(finding);
+    for (const inform::Finding &finding : preflight(name, *content, wish.jobsInUse)) {
+        if (finding.isError())
+            return explain(finding, protocol::TextCodec {});
     }
     return {};
 }

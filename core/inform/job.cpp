@@ -94,10 +94,11 @@ int Job::stepAt(int number) const
 const Point *Job::point(QByteArrayView entry) const
 {
     const auto wanted = entryName(entry);
-    const auto found = std::ranges::find_if(points,
-        [&wanted](const Point &each) { return wanted && each.number == wanted->number && each.kind == wanted->kind; });
-    return found == points.end() ? nullptr : &*found;
+    const int index = wanted ? pointIndexes.value(pointId(*wanted), -1) : -1;
+    return index < 0 ? nullptr : &points[std::size_t(index)];
 }
+
+quint64 pointId(const PointName &name) { return quint64(kindIndex(name.kind)) << 32 | quint64(name.number); }
 
 PointCounts Job::counted() const
 {

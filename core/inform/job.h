@@ -53,6 +53,7 @@ struct Point {
     QByteArrayView user; ///< As written after ///USER; empty unless the type is USER.
     QByteArrayView form; ///< As written after ///RCONF; empty unless it is a Cartesian position.
     bool isBeyondLimit = false; ///< ///LIMIT ON
+    QByteArrayView layout; ///< "PULSE", "RECTAN" or "ANGLE": the line of that name before it; empty without one.
     QByteArrayView values; ///< As written, commas between.
     int line = 0; ///< Index in Job::lines.
 
@@ -101,6 +102,8 @@ struct Job {
     std::vector<Point> points; ///< In the order of the file.
     std::vector<int> instructions; ///< By the controller's line number: the index in `lines`. Blank lines do not count.
 
+    QHash<quint64, int> pointIndexes; ///< For point(): the first one with a name.
+
     bool isJob = false; ///< It begins with /JOB.
     int jobs = 0; ///< How many /JOB lines there are; only the first job is read.
     QByteArray name;
@@ -141,6 +144,8 @@ struct Job {
     [[nodiscard]] PointCounts counted() const;
 };
 
+/// What pointIndexes has for an entry.
+[[nodiscard]] quint64 pointId(const PointName &name);
 /// Never fails; any bytes will do.
 [[nodiscard]] Job parse(const QByteArray &text);
 [[nodiscard]] QByteArray print(const Job &job);

@@ -168,6 +168,8 @@ void Reader::takePositionHeader(QByteArrayView key, QByteArrayView rest)
         m_point.type = rest;
     else if (key == "///RCONF")
         m_form = rest;
+    else if (key == "///PULSE" || key == "///RECTAN" || key == "///ANGLE")
+        m_point.layout = key.sliced(3);
     else if (key == "///LIMIT")
         m_point.isBeyondLimit = rest == "ON";
 }
@@ -196,6 +198,7 @@ LineKind Reader::takeEntry(QByteArrayView line, int index)
     m_point.user = m_point.type == "USER" ? m_user : QByteArrayView {};
     m_point.form = m_point.isCartesian() && m_point.isOfRobot() ? m_form : QByteArrayView {};
     m_point.line = index;
+    m_job.pointIndexes.emplace(pointId(*name), m_job.pointIndexes.value(pointId(*name), int(m_job.points.size())));
     m_job.points.push_back(m_point);
     return LineKind::Entry;
 }

@@ -42,6 +42,7 @@ private:
 
     const Job &m_job;
     QList<Reference> m_result;
+    int m_depth = 0; ///< Of brackets.
 };
 
 void Gatherer::add(Reference reference)
@@ -66,10 +67,15 @@ QByteArrayList Gatherer::typesOf(QByteArrayView type) const
     return types.isEmpty() ? QByteArrayList {"P"} : types;
 }
 
+/// B[I000] reads I000. What stands in its own brackets is read too, but not without end.
 void Gatherer::takeIndex(QByteArrayView index)
 {
-    if (!index.isEmpty())
-        takeTerm(termOf(index, m_job.aliases), 'r');
+    constexpr int deepest = 4;
+    if (index.isEmpty() || m_depth >= deepest)
+        return;
+    ++m_depth;
+    takeTerm(termOf(index, m_job.aliases), 'r');
+    --m_depth;
 }
 
 void Gatherer::takeVariable(const Term &term, Access access)

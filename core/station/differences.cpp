@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "station/differences.h"
 
-#include "files/jobdiff.h"
+#include "files/compare.h"
 #include "files/preflight.h"
 
 using cellfiles::FileClass;
@@ -53,12 +53,11 @@ struct Sets {
     const protocol::TextCodec &codec;
 };
 
-cell::Statements jobEdits(const cell::Versions &versions, const Sets &sets)
+cell::Statements jobStatements(const cell::Versions &versions, const Sets &sets)
 {
     cell::Statements statements;
-    for (const files::JobEdit &edit :
-        diffJobs(files::parseJob(versions.older), files::parseJob(versions.newer), sets.noise))
-        statements << cell::Statement {explain(edit, sets.codec)};
+    for (const QString &text : files::jobEdits(versions.older, versions.newer, sets.noise, sets.codec))
+        statements << cell::Statement {text};
     return statements;
 }
 
@@ -73,7 +72,7 @@ void explainChange(FileDifference &difference, const Sets &sets, const cell::Kno
     }
     const cell::Versions versions {*older, *newer};
     if (files::isJobFile(difference.name)) {
-        difference.statements = jobEdits(versions, sets);
+        difference.statements = jobStatements(versions, sets);
         return;
     }
     difference.statements = cell::statementsOf(difference.name.bytes(), versions, knowledge, sets.codec);

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "virtualcontroller/filestore.h"
 
+#include "inform/job.h"
+
 #include <algorithm>
 
 namespace virtualcontroller::filestore {
@@ -31,7 +33,7 @@ const QByteArrayList listed = loadable + QByteArrayList {"SYS"};
 QByteArray extension(const QByteArray &name)
 {
     const auto dot = name.lastIndexOf('.');
-    return dot < 0 ? QByteArray {} : name.sliced(dot + 1);
+    return dot < 0 ? QByteArray {} : name.sliced(dot + 1).toUpper();
 }
 
 QByteArray baseName(const QByteArray &name)
@@ -40,7 +42,7 @@ QByteArray baseName(const QByteArray &name)
     return dot < 0 ? name : name.first(dot);
 }
 
-bool isJob(const QByteArray &name) { return extension(name) == "JBI"; }
+bool isJob(const QByteArray &name) { return extension(name) == "JBI" || extension(name) == "JBR"; }
 
 /// A plain name, nothing with folders in it.
 quint16 nameFault(const QByteArray &name)
@@ -137,7 +139,7 @@ quint16 loadRefusal(const Memory &memory, const QByteArray &name)
         return fault;
     if (!loadable.contains(extension(name)))
         return listed.contains(extension(name)) ? NotLoadable : NotInList;
-    if (isJob(name) && !isJobName(baseName(name)))
+    if (isJob(name) && !inform::isJobName(baseName(name)))
         return IllegalName;
     return overwriteRefusal(memory, name);
 }

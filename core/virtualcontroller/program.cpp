@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "virtualcontroller/program.h"
 
+#include "inform/job.h"
 #include "protocol/codes.h"
 #include <algorithm>
 #include <cmath>
@@ -174,7 +175,7 @@ quint16 ProgramReader::finalFault() const
 {
     if (!m_isJob)
         return otherSyntax;
-    if (!isJobName(m_program.name))
+    if (!inform::isJobName(m_program.name))
         return illegalName;
     if (m_announced != qsizetype(m_program.positions.size()))
         return wrongCount;
@@ -214,12 +215,5 @@ int Program::stepAt(int line) const
 }
 
 tl::expected<Program, quint16> parseProgram(const QByteArray &text) { return ProgramReader {}.read(text); }
-
-bool isJobName(QByteArrayView name)
-{
-    constexpr QByteArrayView forbidden = "\"'*,./:;<>?[\\]|=";
-    return !name.isEmpty() && name.size() <= 32
-        && std::ranges::none_of(name, [&](char c) { return quint8(c) <= ' ' || forbidden.contains(c); });
-}
 
 } // namespace virtualcontroller

@@ -40,7 +40,4 @@ struct Program {
 /// else, 0x4190 for the name.
 [[nodiscard]] tl::expected<Program, quint16> parseProgram(const QByteArray &text);
 
-/// 1 to 32 characters that a job name may have (reference §8).
-[[nodiscard]] bool isJobName(QByteArrayView name);
-
 } // namespace virtualcontroller

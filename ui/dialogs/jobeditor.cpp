@@ -62,9 +62,10 @@ void JobEditor::check()
     QStringList sentences;
     if (!bytes)
         sentences << tr("The controller's encoding lacks a character of this text.");
-    const auto findings = bytes ? files::preflight(m_name, *bytes) : QList<files::Finding>();
-    for (const files::Finding &finding : findings)
-        sentences << QStringLiteral("▲ ") + explain(finding);
+    const auto findings = bytes ? files::preflight(m_name, *bytes) : QList<inform::Finding>();
+    for (const inform::Finding &finding : findings)
+        sentences << (finding.isError() ? QStringLiteral("▲ ") : QStringLiteral("· "))
+                + files::explain(finding, m_codec);
     m_findings->setText(sentences.join(u'\n'));
     m_findings->setVisible(!sentences.isEmpty());
     m_send->setEnabled(bytes && files::mayBeSent(findings));

@@ -3,7 +3,6 @@
 #include "ui/widgets/diffview.h"
 
 #include "files/compare.h"
-#include "files/jobdiff.h"
 #include "ui/widgets/text.h"
 #include <QHeaderView>
 #include <QTreeWidget>
@@ -50,13 +49,7 @@ void DiffView::showSentence(const QString &sentence)
 void DiffView::showFiles(const QByteArray &older, const QByteArray &newer, const files::NoiseFilter &noise)
 {
     constexpr int mostShown = 12;
-    const files::Job before = files::parseJob(older);
-    const files::Job after = files::parseJob(newer);
-    QStringList edits;
-    if (before.isJob && after.isJob) {
-        for (const files::JobEdit &edit : diffJobs(before, after, noise))
-            edits << explain(edit, m_codec);
-    }
+    QStringList edits = files::jobEdits(older, newer, noise, m_codec);
     const int more = int(edits.size()) - mostShown;
     if (more > 0)
         edits = edits.first(mostShown) << tr("and %n more", nullptr, more);

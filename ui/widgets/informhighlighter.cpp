@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/widgets/informhighlighter.h"
 
+#include "inform/instructions.h"
 #include "ui/theme.h"
-#include <QRegularExpression>
 
 namespace widgets {
 
@@ -12,24 +12,37 @@ InformHighlighter::InformHighlighter(QTextDocument *document, const QWidget *wid
 {
 }
 
+QTextCharFormat InformHighlighter::formatOf(inform::TokenKind kind, QByteArrayView text) const
+{
+    using enum inform::TokenKind;
+    QTextCharFormat format;
+    switch (kind) {
+    case Header:
+    case Comment:
+    case Prefix:
+    case TrailingComment: format.setForeground(ui::color(ui::Role::Text2, m_widget)); break;
+    case Label:
+    case Job: format.setForeground(ui::color(ui::Role::Accent, m_widget)); break;
+    case Word:
+        format.setFontWeight(QFont::DemiBold);
+        if (!inform::findInstruction(text))
+            format.setUnderlineStyle(QTextCharFormat::DashUnderline);
+        break;
+    case Alias:
+    case String: format.setFontItalic(true); break;
+    case Signal: format.setUnderlineStyle(QTextCharFormat::DotLine); break;
+    default: break;
+    }
+    return format;
+}
+
 void InformHighlighter::highlightBlock(const QString &line)
 {
-    static const QRegularExpression word {QStringLiteral("^\\s*[A-Z][A-Z0-9#]*")};
-    static const QRegularExpression link {QStringLiteral("\\*[^\\s]+|JOB:[^\\s]+")};
-    const auto coloured = [this](ui::Role role) {
-        QTextCharFormat format;
-        format.setForeground(ui::color(role, m_widget));
-        return format;
-    };
-    if (line.trimmed().startsWith(u'\''))
-        return setFormat(0, int(line.size()), coloured(ui::Role::Text2));
-    QTextCharFormat strong;
-    strong.setFontWeight(QFont::DemiBold);
-    if (const auto found = word.match(line); found.hasMatch())
-        setFormat(int(found.capturedStart()), int(found.capturedLength()), strong);
-    for (auto found = link.globalMatch(line); found.hasNext();) {
-        const auto match = found.next();
-        setFormat(int(match.capturedStart()), int(match.capturedLength()), coloured(ui::Role::Accent));
+    const QByteArray bytes = line.toLatin1(); // a byte a character: what is beyond ASCII is no syntax
+    for (const inform::Token &token : inform::tokenize(bytes, m_aliases)) {
+        const QTextCharFormat format = formatOf(token.kind, token.in(bytes));
+        if (!format.isEmpty())
+            setFormat(token.at, token.size, format);
     }
 }
 

@@ -40,11 +40,12 @@ JobView::JobView(QWidget *parent)
     connect(this, &QPlainTextEdit::updateRequest, m_gutter, [this] { m_gutter->update(); });
 }
 
-void JobView::showLines(const QStringList &lines)
+void JobView::showLines(const QStringList &lines, const inform::Aliases &aliases)
 {
     if (lines == m_lines)
         return;
     m_lines = lines;
+    m_highlighter->setAliases(aliases);
     setPlainText(lines.join(u'\n'));
     setViewportMargins(gutterWidth(), 0, 0, 0);
     markExecuting();

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "inform/token.h"
 #include <QPlainTextEdit>
 #include <optional>
 
@@ -18,8 +19,8 @@ class JobView : public QPlainTextEdit
 public:
     explicit JobView(QWidget *parent = nullptr);
 
-    /// Showing the same again costs nothing and keeps the scroll.
-    void showLines(const QStringList &lines);
+    /// `aliases` are the job's. Showing the same again costs nothing and keeps the scroll.
+    void showLines(const QStringList &lines, const inform::Aliases &aliases = {});
     /// nullopt while nothing of this job is executed; a line beyond the text marks nothing.
     void setExecutingLine(std::optional<int> line);
     [[nodiscard]] std::optional<int> executingLine() const { return m_executing; }

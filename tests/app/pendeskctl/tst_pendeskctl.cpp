@@ -112,6 +112,7 @@ private Q_SLOTS:
     void showsAndComparesInWords();
     void saysWhatCannotBeShown();
     void readsForeignText();
+    void checksJobs();
     void watches();
     void watchesOnAfterAGap();
 };
@@ -413,7 +414,7 @@ void TestPendeskctl::backsUpAndRestores()
     QCOMPARE(compared.code, 1);
     const auto change = json(compared).array().at(0).toObject();
     QCOMPARE(change.value(u"name").toString(), QStringLiteral("WELD_A12.JBI"));
-    QCOMPARE(change.value(u"edits").toArray().at(0).toString(), QStringLiteral("V 25.0 → 50.0 at line 8"));
+    QCOMPARE(change.value(u"edits").toArray().at(0).toString(), QStringLiteral("Line 8 MOVL: V 25.0 → 50.0"));
     QCOMPARE(terminal.run(QStringLiteral("restore --dry-run ") + bag).code, 1);
     QCOMPARE(terminal.run(QStringLiteral("restore ") + bag).code, 2);
     QVERIFY(files["WELD_A12.JBI"] != weld);
@@ -510,6 +511,24 @@ void TestPendeskctl::readsForeignText()
     }
     QVERIFY(terminal.run(QStringLiteral("alarms --encoding Shift_JIS")).out.contains("テ"));
     QVERIFY(terminal.run(QStringLiteral("info --encoding Shift_JIS")).out.contains("テ"));
+}
+
+void TestPendeskctl::checksJobs()
+{
+    const QString folder = QStringLiteral(PENDESK_TEST_DATA "/jobs");
+    Terminal terminal;
+    QCOMPARE(terminal.run(QStringLiteral("check %1").arg(folder), false).code, 0);
+    QCOMPARE(terminal.run(QStringLiteral("check %1/broken").arg(folder), false).code, 1);
+    QCOMPARE(terminal.run(QStringLiteral("check %1/broken/UNKNOWN-WORD.JBI").arg(folder), false).code, 0);
+    const Ended ended = terminal.run(QStringLiteral("check --json %1/broken/NO-LABEL.JBI").arg(folder), false);
+    QCOMPARE(ended.code, 1);
+    const auto finding = json(ended).array().at(0).toObject();
+    QCOMPARE(finding.value(u"severity").toString(), QStringLiteral("error"));
+    QCOMPARE(finding.value(u"fileLine").toInt(), 17);
+    QCOMPARE(finding.value(u"jobLine").toInt(), 3);
+    QCOMPARE(finding.value(u"what").toString(), QStringLiteral("Line 3 (17 in the file): There is no label *AGAIN."));
+    QCOMPARE(terminal.run(QStringLiteral("check"), false).code, 2);
+    QCOMPARE(terminal.run(QStringLiteral("check DIR/no.JBI"), false).code, 5);
 }
 
 void TestPendeskctl::watches()

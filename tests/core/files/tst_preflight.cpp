@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/preflight.h"
+#include "support/jobs.h"
 #include "virtualcontroller/filestore.h"
 
 #include <QTest>
 
 using namespace files;
+using inform::Fault;
+using inform::Finding;
 using values::FileName;
 
 namespace {
@@ -33,55 +36,48 @@ void TestPreflight::looks_data()
 {
     QTest::addColumn<QByteArray>("name");
     QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<QList<int>>("concerns");
-    QTest::addColumn<int>("line"); // of the first
-    const auto row = [](const char *title, const char *name, const QByteArray &content, const QList<Concern> &concerns,
-                         int line = 0) {
+    QTest::addColumn<QList<int>>("faults");
+    const auto row = [](const char *title, const char *name, const QByteArray &content, const QList<Fault> &faults) {
         QList<int> numbers;
-        for (const Concern concern : concerns)
-            numbers << int(concern);
-        QTest::newRow(title) << QByteArray(name) << content << numbers << line;
+        for (const Fault fault : faults)
+            numbers << int(fault);
+        QTest::newRow(title) << QByteArray(name) << content << numbers;
     };
-    using enum Concern;
+    using enum Fault;
     row("good", "A.JBI", good, {});
+    row("relative job", "A.JBR", good, {});
     row("empty", "A.JBI", "", {Empty});
     row("another name", "B.JBI", good, {NameDiffers});
-    row("no name", "A.JBI", with("//NAME A\r\n", ""), {BadJobName});
-    row("bad name", "A.JBI", with("//NAME A", "//NAME A:B"), {BadJobName});
-    row("no NOP", "A.JBI", with("NOP\r\n", ""), {NoNop});
-    row("no END", "A.JBI", with("END\r\n", ""), {NoEnd});
-    row("no instructions", "A.JBI", with("NOP\r\nMOVJ C00000 VJ=5.00\r\nEND\r\n", ""), {NoNop, NoEnd});
+    row("no name", "A.JBI", with("//NAME A\r\n", ""), {BadName});
+    row("bad name", "A.JBI", with("//NAME A", "//NAME A:B"), {BadName});
     row("no job", "A.JBI", "HELLO\r\n", {NotAJob});
-    row("wrong count", "A.JBI", with("NPOS 1", "NPOS 2"), {WrongPositionCount});
     row("running", "RUN.JBI", with("//NAME A", "//NAME RUN"), {Running});
     row("the header names the running job", "A.JBI", with("//NAME A", "//NAME RUN"), {NameDiffers, Running});
-    row("LF", "A.JBI", with("\r\n", "\n"), {LineEndings}, 1);
-    row("LF in one line", "A.JBI", with("NOP\r\n", "NOP\n"), {LineEndings}, 14);
-    row("no final newline", "A.JBI", good.chopped(2), {NoFinalNewline}, 16);
+    row("LF", "A.JBI", with("\r\n", "\n"), {LineFeeds});
+    row("no final newline", "A.JBI", good.chopped(2), {NoLastLineEnd});
     row("Shift-JIS in the comment", "A.JBI", with("COMM A", "COMM \x83\x65"), {});
-    row("Shift-JIS in an instruction", "A.JBI", with("VJ=5.00", "VJ=5.00\x83\x65"), {OtherCharacters}, 15);
-    row("long comment", "A.JBI", with("COMM A", "COMM 123456789012345678901234567890123"), {LongComment});
-    row("control character", "A.JBI", with("COMM A", "COMM \x07"), {ControlCharacter}, 11);
+    row("long comment", "A.JBI", with("COMM A", "COMM 123456789012345678901234567890123"), {LongJobComment});
+    row("Japanese name", "\x83\x8F\x81[\x83N.JBI", testdata::job(QStringLiteral("cases/%83%8F%81[%83N.JBI")), {});
+    row("type in small letters", "lower.jbi", testdata::job(QStringLiteral("cases/lower.jbi")), {LowerCaseType});
     row("system file", "SYSTEM.SYS", "//SYSTEM\r\n", {NotLoadable});
     row("no type", "A", "A\r\n", {NotLoadable});
     row("names", "VARNAME.DAT", "//VARNAME\r\n", {ReplacesNames});
     row("data", "VAR.DAT", "//VAR\r\n", {});
+    row("data in LF", "VAR.DAT", "//VAR\n", {LineFeedsInData});
+    row("control character in data", "VAR.DAT", "//VAR\x07\r\n", {ControlCharacter});
 }
 
 void TestPreflight::looks()
 {
     QFETCH(QByteArray, name);
     QFETCH(QByteArray, content);
-    QFETCH(QList<int>, concerns);
-    QFETCH(int, line);
     const auto findings = preflight(*FileName::create(name), content, {"RUN"});
     QList<int> found;
     for (const Finding &finding : findings) {
-        found << int(finding.concern);
-        QVERIFY(!explain(finding).isEmpty());
+        found << int(finding.fault);
+        QVERIFY(!explain(finding, protocol::TextCodec {}).isEmpty());
     }
-    QCOMPARE(found, concerns);
-    QCOMPARE(findings.value(0, {Concern::Empty}).line, line);
+    QTEST(found, "faults");
     if (!mayBeSent(findings))
         return;
     virtualcontroller::Memory memory;

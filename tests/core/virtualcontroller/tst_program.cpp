@@ -14,8 +14,6 @@ class ProgramTest : public QObject
 
 private Q_SLOTS:
     void readsPositionsAndLines();
-    void judgesNames_data();
-    void judgesNames();
     void everyDemoJobIsOne();
     void pulsesAndCartesianWordsBelongTogether();
 };
@@ -46,27 +44,6 @@ void ProgramTest::readsPositionsAndLines()
     QCOMPARE(job->stepAt(0), 0);
     QCOMPARE(job->stepAt(2), 1);
     QCOMPARE(job->stepAt(5), 2);
-}
-
-void ProgramTest::judgesNames_data()
-{
-    QTest::addColumn<QByteArray>("name");
-    QTest::addColumn<bool>("isGood");
-    QTest::newRow("one letter") << QByteArray("A") << true;
-    QTest::newRow("32 letters") << QByteArray(32, 'A') << true;
-    QTest::newRow("33 letters") << QByteArray(33, 'A') << false;
-    QTest::newRow("empty") << QByteArray() << false;
-    QTest::newRow("Shift-JIS") << QByteArray("\x83\x65\x83\x58") << true;
-    QTest::newRow("space") << QByteArray("A B") << false;
-    QTest::newRow("dot") << QByteArray("A.B") << false;
-    QTest::newRow("slash") << QByteArray("A/B") << false;
-    QTest::newRow("control character") << QByteArray("A\x1F") << false;
-}
-
-void ProgramTest::judgesNames()
-{
-    QFETCH(QByteArray, name);
-    QTEST(isJobName(name), "isGood");
 }
 
 void ProgramTest::everyDemoJobIsOne()

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "support/fuzz/target.h"
 
+#include "inform/job.h"
 #include "virtualcontroller/program.h"
 #include <algorithm>
 
@@ -20,7 +21,7 @@ void take(QByteArrayView data)
     }
     const auto &lines = program->lines;
     const int count = int(lines.size());
-    require(isJobName(program->name), "a job without a name");
+    require(inform::isJobName(program->name), "a job without a name");
     require(count >= 2 && lines.front().word() == "NOP" && lines.back().word() == "END", "a job without NOP and END");
     require(std::ranges::all_of(program->labels, [&](const auto &label) { return lines[label.second].isLabel(); }),
         "a label is elsewhere");

@@ -21,6 +21,7 @@ Offers::Offers(const Context &context, QWidget *window)
 
 void Offers::lookAndAsk(const QList<Offer> &offers)
 {
+    const protocol::TextCodec codec {m_context.station.profile().encoding};
     QList<Offer> passing;
     QStringList sentences;
     for (const Offer &each : offers) {
@@ -28,10 +29,10 @@ void Offers::lookAndAsk(const QList<Offer> &offers)
         const auto findings = files::preflight(each.name, content.value_or(QByteArray()), m_orders.jobsInUse());
         if (files::mayBeSent(findings))
             passing << each;
-        for (const files::Finding &finding : findings)
+        for (const inform::Finding &finding : findings)
             sentences << QStringLiteral("%1 %2: %3")
-                             .arg(finding.stops() ? QStringLiteral("▲") : QStringLiteral("·"),
-                                 text(m_context, each.name), explain(finding));
+                             .arg(finding.isError() ? QStringLiteral("▲") : QStringLiteral("·"),
+                                 text(m_context, each.name), files::explain(finding, codec));
     }
     if (sentences.isEmpty())
         ask(passing);

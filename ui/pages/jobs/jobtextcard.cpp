@@ -11,12 +11,11 @@
 #include <QGridLayout>
 #include <QListWidget>
 #include <QPushButton>
+#include <algorithm>
 
 namespace pages {
 
 using robot::JobLibrary;
-using robot::JobMark;
-using robot::JobText;
 using values::FileName;
 
 JobTextCard::JobTextCard(const Context &context, JobLibrary &library, QWidget *parent)
@@ -94,27 +93,40 @@ void JobTextCard::showCopy()
     if (!m_job)
         return;
     const JobLibrary::Copy &copy = m_library.copy(*m_job);
-    const JobText parsed = robot::parseJobText(copy.text.value.value_or(QByteArray()));
+    const inform::Job parsed = inform::parse(copy.text.value.value_or(QByteArray()));
     QStringList lines;
-    for (const QByteArray &line : parsed.lines)
-        lines << text(line);
-    m_view->showLines(lines);
+    for (int line = 0; line < parsed.lineCount(); ++line)
+        lines << text(parsed.at(line).text);
+    m_view->showLines(lines, parsed.aliases);
     showOutline(parsed);
     showNotes(copy, parsed);
     showExecutingLine();
 }
 
-void JobTextCard::showOutline(const JobText &parsed)
+/// "*NEXT" and "JOB:CLAMP", in the order of their lines.
+QList<inform::Mark> JobTextCard::marksOf(const inform::Job &parsed)
 {
-    if (parsed.marks == m_marks)
-        return;
-    m_marks = parsed.marks;
-    m_outline->clear();
-    for (const JobMark &mark : m_marks)
-        m_outline->addItem(tr("%1  %2", "line and label").arg(mark.line).arg(text(mark.text)));
+    QList<inform::Mark> marks;
+    for (const inform::Mark &label : parsed.labels())
+        marks << inform::Mark {'*' + label.name, label.line};
+    for (const inform::Mark &call : parsed.calls())
+        marks << inform::Mark {"JOB:" + call.name, call.line};
+    std::ranges::stable_sort(marks, {}, &inform::Mark::line);
+    return marks;
 }
 
-void JobTextCard::showNotes(const JobLibrary::Copy &copy, const JobText &parsed)
+void JobTextCard::showOutline(const inform::Job &parsed)
+{
+    const auto marks = marksOf(parsed);
+    if (marks == m_marks)
+        return;
+    m_marks = marks;
+    m_outline->clear();
+    for (const inform::Mark &mark : m_marks)
+        m_outline->addItem(tr("%1  %2", "line and label").arg(mark.line).arg(text(mark.name)));
+}
+
+void JobTextCard::showNotes(const JobLibrary::Copy &copy, const inform::Job &parsed)
 {
     const QString clock = copy.text.clock.toString(u"HH:mm:ss");
     setTitle(
@@ -124,12 +136,12 @@ void JobTextCard::showNotes(const JobLibrary::Copy &copy, const JobText &parsed)
     setReason(copy.trouble ? tr("The job could not be read: %1.").arg(protocol::explain(*copy.trouble))
             : copy.mayBeOld && !copy.isReading ? old.arg(clock)
                                                : QString());
-    if (copy.text.value && parsed.lines.isEmpty())
-        m_empty->setText(tr("This file has no NOP line: it holds no instructions that could be shown."));
+    if (copy.text.value && parsed.instructions.empty())
+        m_empty->setText(tr("This file holds no instructions that could be shown."));
     else
         m_empty->setText(copy.isReading ? tr("Reading the job…") : tr("The job was not read yet."));
-    m_empty->setVisible(parsed.lines.isEmpty());
-    m_view->setVisible(!parsed.lines.isEmpty());
+    m_empty->setVisible(parsed.instructions.empty());
+    m_view->setVisible(!parsed.instructions.empty());
 }
 
 void JobTextCard::onStateChanged(const robot::TopicRange &range)

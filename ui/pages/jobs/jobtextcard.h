@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "inform/job.h"
 #include "robot/joblibrary.h"
-#include "robot/jobtext.h"
 #include "ui/pages/page.h"
 #include "ui/widgets/card.h"
 
@@ -37,8 +37,9 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QWidget *outline();
     void showCopy();
-    void showOutline(const robot::JobText &text);
-    void showNotes(const robot::JobLibrary::Copy &copy, const robot::JobText &text);
+    [[nodiscard]] static QList<inform::Mark> marksOf(const inform::Job &parsed);
+    void showOutline(const inform::Job &text);
+    void showNotes(const robot::JobLibrary::Copy &copy, const inform::Job &text);
     void onStateChanged(const robot::TopicRange &range);
     void showExecutingLine();
     [[nodiscard]] QString text(QByteArrayView bytes) const;
@@ -51,7 +52,7 @@ private:
     widgets::JobView *m_view;
     QLabel *m_empty;
     QListWidget *m_outline;
-    QList<robot::JobMark> m_marks;
+    QList<inform::Mark> m_marks;
     QCheckBox *m_follow;
     QPushButton *m_read;
 };
