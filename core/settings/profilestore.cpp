@@ -16,8 +16,6 @@ constexpr auto softwareKey = "numberingSoftware";
 
 QString tr(const char *text) { return QCoreApplication::translate("settings::Profile", text); }
 
-QString encoded(const QString &name) { return QString::fromLatin1(name.toUtf8().toPercentEncoding()); }
-
 QString profileKey(const QString &key) { return QStringLiteral("profiles/") + key; }
 
 /// What the program itself remembers of a profile; it is not exported with it.
