@@ -12,10 +12,10 @@ using widgets::HoldButton;
 
 namespace {
 
-/// The HOLD of this window itself; its page windows are its children and have their own.
+/// The HOLD of the strip of this window itself, never HOLD ALL; its page windows are its children and have their own.
 HoldButton *holdOf(const QWidget *window)
 {
-    for (HoldButton *button : window->findChildren<HoldButton *>()) {
+    for (HoldButton *button : window->findChildren<HoldButton *>(QStringLiteral("holdButton"))) {
         if (button->window() == window && button->isVisible())
             return button;
     }

@@ -56,7 +56,7 @@ void FreshnessTest::noLivePageIsHatched()
             };
             QTRY_VERIFY(isEveryTopicLive());
             const QStringList found = hatchedIn(*page);
-            QVERIFY2(found.isEmpty(), qPrintable(page->objectName() + u": " + found.join(u' ')));
+            QVERIFY2(found.isEmpty(), qPrintable(page->objectName() + QStringLiteral(": ") + found.join(u' ')));
             hatched += int(found.size());
             ++looks;
         }
