@@ -72,9 +72,9 @@ void benchReading()
     for (const QByteArray &job : jobs)
         found += inform::check(inform::parse(job)).size();
     const double checking = milliseconds(clock);
-    std::printf("reading   %8.1f MB/s   (%zd jobs, %.1f times the search for line ends)\n",
+    std::printf("reading   %8.1f MB/s   (%lld jobs, %.1f times the search for line ends)\n",
         double(bytes) / 1e3 / reading, jobs.size(), reading / floor);
-    std::printf("checking  %8.1f MB/s   (reading included; %zd)\n", double(bytes) / 1e3 / checking, found);
+    std::printf("checking  %8.1f MB/s   (reading included; %lld)\n", double(bytes) / 1e3 / checking, found);
 }
 
 void benchComparing()
@@ -84,7 +84,7 @@ void benchComparing()
     qsizetype edits = 0;
     for (int job = 0; job < 500; ++job)
         edits += inform::diffJobs(inform::parse(longJob(40, 0)), inform::parse(longJob(40, 1))).size();
-    std::printf("comparing %8.1f ms     (500 pairs of jobs with 40 steps, all of them different; %zd edits)\n",
+    std::printf("comparing %8.1f ms     (500 pairs of jobs with 40 steps, all of them different; %lld edits)\n",
         milliseconds(clock), edits);
 }
 

@@ -4,8 +4,8 @@
 
 #include "settings/accesssettings.h"
 #include "settings/profilestore.h"
+#include "settings/settingsfile.h"
 #include <QFile>
-#include <QSettings>
 #include <QTemporaryDir>
 
 namespace fuzz {
@@ -17,12 +17,12 @@ void take(QByteArrayView data)
 {
     static const QTemporaryDir folder;
     static int count = 0;
-    const QString path = folder.filePath(QString::number(++count)); // QSettings remembers files by their names
+    const QString path = folder.filePath(QString::number(++count)); // a copy of an earlier one must not help
     QFile file {path};
     require(file.open(QIODevice::WriteOnly) && file.write(data.data(), data.size()) == data.size(), "no room");
     file.close();
     {
-        QSettings settings {path, QSettings::IniFormat};
+        settings::SettingsFile settings {path};
         const settings::ProfileStore store {settings};
         for (const auto &profile : store.profiles())
             require(settings::complaint(profile).isEmpty(), "a faulty profile was read");
@@ -30,17 +30,18 @@ void take(QByteArrayView data)
         (void)store.pagesInWindows();
         (void)store.appearance();
         (void)settings::readAccess(settings);
-        (void)store.notes(QStringLiteral("CELL 4")).read(QStringLiteral("names"));
+        for (const auto &profile : store.profiles())
+            (void)store.notes(profile).read(QStringLiteral("names"));
     }
     QFile::remove(path);
 }
 
 Seeds seeds()
 {
-    return {"lastProfile=CELL 4\n[profiles]\nCELL%204=\"{\\\"name\\\":\\\"CELL 4\\\"}\"\n[access]\nidleMinutes=5\n",
-        "[appearance]\nlanguage=de\nscheme=dark\n[window]\npagesInWindows=overview, io\n",
-        "[access]\npasscodeSalt=@ByteArray(00)\npasscodeHash=zz\nidleMinutes=-1\n",
-        "[connections]\nA\\connected=@Invalid()\n"};
+    return {R"({"lastProfile": "CELL 4", "profiles/CELL%204": {"name": "CELL 4", "host": "robot"}})",
+        R"({"appearance/language": "de", "appearance/scheme": "dark", "window/pagesInWindows": ["overview", "io"]})",
+        R"({"access/passcodeSalt": "00", "access/passcodeHash": "zz", "access/idleMinutes": -1})",
+        R"({"connections/A/connected": 7, "profiles": [], "notes/A/names": {"B001": "COUNT"}})", "{"};
 }
 
 } // namespace
