@@ -15,6 +15,7 @@
 
 using robot::Arming;
 using robot::Level;
+using Happening = void (*)(Harness &);
 
 class TestAccessSwitch : public QObject
 {
@@ -150,9 +151,8 @@ private Q_SLOTS:
 
     void theReasonOfDisarmingIsTheTrueOne_data()
     {
-        QTest::addColumn<void (*)(Harness &)>("happening");
+        QTest::addColumn<Happening>("happening");
         QTest::addColumn<int>("reason");
-        using Happening = void (*)(Harness &);
         using Drop = Arming::Drop;
         const auto row = [](const char *name, Happening happening, Drop reason) {
             QTest::newRow(name) << happening << int(reason);
@@ -176,7 +176,7 @@ private Q_SLOTS:
 
     void theReasonOfDisarmingIsTheTrueOne()
     {
-        QFETCH(void (*)(Harness &), happening);
+        QFETCH(Happening, happening);
         QFETCH(int, reason);
         Harness harness;
         QVERIFY(harness.connectLive());

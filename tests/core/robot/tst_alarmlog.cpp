@@ -103,7 +103,8 @@ struct Cell {
     }
 
     QTemporaryDir folder;
-    Access access;
+    AccessRules rules;
+    Access access {rules};
     Arming arming;
     std::unique_ptr<virtualcontroller::Server> server;
     std::unique_ptr<Controller> controller;

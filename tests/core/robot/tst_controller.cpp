@@ -40,7 +40,8 @@ settings::Profile profileOf(quint16 port, quint16 filePort = 1)
 struct Door {
     explicit Door(Controller &controller) : orders {controller, access, arming} { }
 
-    Access access;
+    AccessRules rules;
+    Access access {rules};
     Arming arming;
     Orders orders;
 };

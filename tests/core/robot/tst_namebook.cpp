@@ -227,7 +227,8 @@ void TestNameBook::aVerifiedNumberingHoldsForItsSoftware()
     profile.host = QStringLiteral("127.0.0.1");
     profile.numberingVerified = values::utc(QDate(2026, 11, 10), QTime(8, 0));
     profile.numberingSoftware = QStringLiteral("YAS4.12.00A(EN/EN)-00");
-    Access access;
+    AccessRules rules;
+    Access access {rules};
     Arming arming;
     Controller controller {profile};
     Orders orders {controller, access, arming};
