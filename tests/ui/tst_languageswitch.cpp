@@ -80,7 +80,7 @@ private Q_SLOTS:
         room.type(0, QStringLiteral("17"));
         QCOMPARE(room.harness.fleet.unfinished().size(), 1);
         choose(window, QStringLiteral("de"));
-        QVERIFY(!window.findChild<QMessageBox *>(QStringLiteral("unfinishedBox")));
+        QVERIFY(!window.findChild<QDialog *>(QStringLiteral("unfinishedBox")));
         QTRY_COMPARE(entryText(window), u"Variablen");
         QCOMPARE(room.harness.fleet.unfinished().size(), 1);
         QCOMPARE(window.view().station()->edits.staged().edits().size(), 1);

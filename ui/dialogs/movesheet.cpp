@@ -113,7 +113,6 @@ void MoveSheet::makeWidgets()
     m_rows->add(QStringLiteral("sheetBox"), tr("Box"));
     m_rows->add(QStringLiteral("sheetNear"), tr("Stored points near the target"));
     m_reason->setObjectName(QStringLiteral("sheetReason"));
-    m_reason->setMinimumHeight(2 * m_reason->fontMetrics().lineSpacing()); // whether or not there is one
     m_outcome->setObjectName(QStringLiteral("sheetOutcome"));
     m_name->setObjectName(QStringLiteral("sheetName"));
     m_go->setObjectName(QStringLiteral("sheetMove"));

@@ -165,8 +165,9 @@ void BackupPage::setRoot(const QString &root)
 
 void BackupPage::chooseFolder()
 {
-    widgets::askForPath({"backupFolderDialog", widgets::PathKind::Folder, tr("Folder of the backups"), m_backups.choices().folder}, this,
-        [this](const QString &chosen) { setRoot(chosen); });
+    widgets::askForPath(
+        {"backupFolderDialog", widgets::PathKind::Folder, tr("Folder of the backups"), m_backups.choices().folder},
+        this, [this](const QString &chosen) { setRoot(chosen); });
 }
 
 void BackupPage::keepChoices()

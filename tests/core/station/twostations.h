@@ -53,7 +53,7 @@ struct Plant {
     settings::SettingsFile file {folder.filePath(QStringLiteral("settings.json"))};
     settings::ProfileStore store {file};
     robot::AccessRules rules;
-    robot::Arming arming;
+    robot::Arming arming {std::chrono::hours {1}}; ///< However busy the computer is.
     journal::Store journal {QUrl::fromLocalFile(folder.filePath(QStringLiteral("journal.sqlite")))};
     station::Fleet fleet {{store, rules, arming, journal}};
 };
