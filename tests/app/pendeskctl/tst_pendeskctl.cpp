@@ -221,9 +221,6 @@ void TestPendeskctl::readsForPeople_data()
     QTest::addRow("failed file") << QStringLiteral("files get NONE.JBI --to DIR") << QByteArray("NONE.JBI  failed")
                                  << QByteArray("NONE.JBI: 0xE2B3");
     QTest::addRow("words") << QStringLiteral("jobs W*") << QByteArray() << QByteArray("jobs does not take “W*”");
-    QTest::addRow("encodings") << QStringLiteral("decode --encoding none 00") << QByteArray()
-                               << QByteArray("ISO-8859-1, UTF-8, Shift_JIS");
-    QTest::addRow("models") << QStringLiteral("decode --model none 00") << QByteArray() << QByteArray("dx100, dx200");
     QTest::addRow("encodings in the help")
         << QStringLiteral("info --help") << QByteArray("Shift_JIS, GBK") << QByteArray();
     QTest::addRow("help") << QStringLiteral("files --help") << QByteArray("[options] ls [PATTERN] | get NAME")
@@ -486,9 +483,13 @@ void TestPendeskctl::saysWhatCannotBeShown()
     const QJsonObject values = json(terminal.run(QStringLiteral("var get R000..R002 --numbering 0 --json"))).object();
     QCOMPARE(values.value(u"R000").toDouble(), 12.5);
     QVERIFY(values.contains(u"R001") && values.value(u"R001").isNull());
-    QCOMPARE(values.value(u"R001_text").toString().toLower(), QStringLiteral("nan"));
+    QVERIFY(!values.value(u"R001_text").toString().isEmpty());
     QVERIFY(values.contains(u"R002") && values.value(u"R002").isNull());
     QVERIFY(!values.contains(u"R000_text"));
+    const QByteArray encodings = terminal.run(QStringLiteral("decode --encoding none 00"), false).err;
+    QVERIFY2(encodings.contains("ISO-8859-1, UTF-8, Shift_JIS"), encodings);
+    const QByteArray models = terminal.run(QStringLiteral("decode --model none 00"), false).err;
+    QVERIFY2(models.contains("dx100, dx200"), models);
     memory.s[3].value = values::FixedText<32> {"\x1b[2J\r\nR002  1\x9b"
                                                "31m"};
     const Ended text = terminal.run(QStringLiteral("var get S003 --numbering 0"));
@@ -502,8 +503,9 @@ void TestPendeskctl::readsForeignText()
 {
     Terminal terminal;
     auto &memory = terminal.server->memory();
-    memory.alarms.push_front(
-        {{{4416, {}, values::FixedText<16> {"2026/01/31 08:30"}, values::FixedText<32> {"\x83\x65"}}}});
+    virtualcontroller::ActiveAlarm alarm;
+    alarm.alarm.alarm = {4416, {}, values::FixedText<16> {"2026/01/31 08:30"}, values::FixedText<32> {"\x83\x65"}};
+    memory.alarms.push_front(alarm);
     memory.systemInformation[11].model = values::FixedText<16> {"\x83\x65"};
     for (const char *verb : {"alarms", "info", "status"}) {
         const Ended ended = terminal.run(QString::fromLatin1(verb) + QStringLiteral(" --encoding Shift_JIS"));
