@@ -85,7 +85,7 @@ int runShow(const QStringList &arguments)
     const VerbHelp help {
         tr("Tells what controller files say: names, tools, frames, variables, parameters, ladder, logs. "
            "Addresses, users and passwords are masked."),
-        QStringLiteral("BAG|FOLDER|FILE…"), {encoding}, false};
+        QStringLiteral("BAG|FOLDER|FILE…"), {encoding}, false, 1, anyNumber};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
     if (call.words.isEmpty())
