@@ -3,8 +3,8 @@
 #include "files/durable.h"
 #include "files/localname.h"
 #include "files/preflight.h"
-#include "verbs.h"
 #include "options.h"
+#include "verbs.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -22,7 +22,8 @@ QStringList jobsAt(const QString &path)
         return {path};
     QStringList paths;
     const QDir folder {path};
-    for (const QString &name : folder.entryList({QStringLiteral("*.JBI"), QStringLiteral("*.JBR")}, QDir::Files, QDir::Name))
+    for (const QString &name :
+        folder.entryList({QStringLiteral("*.JBI"), QStringLiteral("*.JBR")}, QDir::Files, QDir::Name))
         paths << folder.filePath(name);
     return paths;
 }
@@ -71,7 +72,7 @@ int runCheck(const QStringList &arguments)
         QStringLiteral("encoding"), tr("The encoding of texts, such as Shift_JIS."), QStringLiteral("NAME")};
     const VerbHelp help {tr("Looks at jobs as before they are sent, and prints what is wrong or odd; exit code 1 if a "
                             "controller would refuse one."),
-        QStringLiteral("FILE…|FOLDER"), {encoding}, false};
+        QStringLiteral("FILE…|FOLDER"), {encoding}, false, 1, anyNumber};
     if (const auto end = read(call, parser, help, arguments))
         return *end;
     if (call.words.isEmpty())

@@ -111,6 +111,7 @@ private Q_SLOTS:
     void refusesAnotherRobot();
     void showsAndComparesInWords();
     void saysWhatCannotBeShown();
+    void countsWordsWithoutAController();
     void readsForeignText();
     void checksJobs();
     void watches();
@@ -170,7 +171,6 @@ void TestPendeskctl::ends_data()
     row("backup DIR/a DIR/b", 2);
     row("backup DIR/a --keep many", 2);
     row("backup DIR/a --keep -1", 2);
-    row("verify", 2);
     row("watch", 2);
     row("files", 2);
     row("info --encoding none", 2);
@@ -497,6 +497,17 @@ void TestPendeskctl::saysWhatCannotBeShown()
     const Ended inJson = terminal.run(QStringLiteral("var get S003 --numbering 0 --json"));
     QVERIFY(!inJson.out.contains('\x1b') && !inJson.out.contains("\xc2\x9b"));
     QCOMPARE(json(inJson).object().value(u"S003").toString(), QStringLiteral("\x1b[2J\r\nR002  1\u009b31m"));
+}
+
+/// The verbs that need no controller count their words too.
+void TestPendeskctl::countsWordsWithoutAController()
+{
+    Terminal terminal;
+    for (const char *verb : {"verify", "show", "check"}) {
+        const QString name = QString::fromLatin1(verb);
+        QCOMPARE(terminal.run(name, false).code, 2);
+        QVERIFY(terminal.run(name + QStringLiteral(" DIR/none"), false).code != 2);
+    }
 }
 
 void TestPendeskctl::readsForeignText()
