@@ -164,7 +164,7 @@ const Event events[] {
             desk.orders().send(protocol::HlockOn {}, {robot::Act::HlockOn}, &desk.window, [](const auto &) {});
         },
         [](Desk &desk) { return desk.orders().isPendantLocked(); },
-        [](Desk &desk) { desk.window.view().releaseLock(); },
+        [](Desk &desk) { desk.window.view().releaseLock([] {}); },
         [](Desk &desk) { return !desk.orders().isPendantLocked(); }},
     {"the link lost", [](Desk &desk) { desk.stopController(); },
         [](Desk &desk) { return desk.window.controller().linkState() == LinkState::Lost; },

@@ -19,6 +19,9 @@ using virtualcontroller::Direction;
 using virtualcontroller::FaultKind;
 using virtualcontroller::Faults;
 
+using Way = void (*)(JobsHarness &);
+using HasLeft = bool (*)(const JobsHarness &);
+
 class TestJobsPage : public QObject
 {
     Q_OBJECT
@@ -342,8 +345,6 @@ void TestJobsPage::pendantLockHasABannerEverywhere()
 
 void TestJobsPage::leavingWithThePendantLockedAsks_data()
 {
-    using Way = void (*)(JobsHarness &);
-    using HasLeft = bool (*)(const JobsHarness &);
     QTest::addColumn<Way>("leave");
     QTest::addColumn<HasLeft>("hasLeft");
     QTest::newRow("close") << Way([](JobsHarness &harness) { harness.window.close(); })
@@ -364,8 +365,8 @@ void TestJobsPage::leavingWithThePendantLockedAsks_data()
 
 void TestJobsPage::leavingWithThePendantLockedAsks()
 {
-    QFETCH(void (*)(JobsHarness &), leave);
-    QFETCH(bool (*)(const JobsHarness &), hasLeft);
+    QFETCH(Way, leave);
+    QFETCH(HasLeft, hasLeft);
     JobsHarness harness;
     QVERIFY(harness.openJobs());
     harness.click("hlock-on");

@@ -86,7 +86,7 @@ void fill(RobotState &state, int axes = 6)
 struct Desk {
     explicit Desk(const settings::Profile &own = {}) : station {own, {store, rules, arming, journal}}
     {
-        page.showLink({LinkState::Monitoring, {}, {}, 0, {}, {}});
+        page.showLink({LinkState::Monitoring, {}, {}, 0, {}});
     }
 
     [[nodiscard]] ValueLabel *value(const char *name) const
@@ -284,7 +284,7 @@ void TestOverviewPage::layers()
     QVERIFY(lay(desk.page, {1224, 800}));
     const auto *panel = desk.page.findChild<QWidget *>(QStringLiteral("notConnected"));
     for (const auto state : {LinkState::Checking, LinkState::Monitoring, LinkState::Lost, LinkState::Disconnected}) {
-        desk.page.showLink({state, {}, {}, 0, {}, {}});
+        desk.page.showLink({state, {}, {}, 0, {}});
         QCOMPARE(panel->isVisible(), state == LinkState::Disconnected);
     }
 }
@@ -353,7 +353,7 @@ void TestOverviewPage::stripFits()
     ui::RobotStrip strip(state, profile);
     column.addWidget(&strip);
     fill(state);
-    strip.showLink({LinkState::Monitoring, {}, {}, 0, {}, {}});
+    strip.showLink({LinkState::Monitoring, {}, {}, 0, {}});
     QVERIFY(lay(window, {width, ui::space::strip}));
     QTRY_COMPARE(clipped(strip), QString());
     QCOMPARE(strip.width(), width);
