@@ -215,12 +215,10 @@ void Controller::watch()
     updateHold();
 }
 
-void Controller::hold()
+void Controller::tellHold()
 {
     if (m_linkState == LinkState::Disconnected)
         return;
-    if (m_link)
-        sendHold();
     const bool isSent = m_link != nullptr; // else the host's name is not resolved yet: nothing can leave
     setHoldOrder(HoldOrder {isSent ? HoldOrder::Progress::UnderWay : HoldOrder::Progress::Unconfirmed, now()});
 }
@@ -228,6 +226,8 @@ void Controller::hold()
 /// Once more while it is under way: that is the same order, and its 2 s begin again.
 void Controller::sendHold()
 {
+    if (!m_link)
+        return;
     if (!m_stop) {
         m_stop = new StopOrder {Stop::Hold, m_link->session, &m_link->orders};
         connect(m_stop, &StopOrder::statusRead, this,

@@ -78,10 +78,11 @@ private:
 
     /// For Orders; nullptr while there is no link. It may be another one whenever the link state changes.
     [[nodiscard]] session::Session *session() const;
-    /// For Orders: HOLD on, at once and ahead of everything, see StopOrder; the first packet leaves before anybody is
-    /// told. Does nothing while Disconnected; Unconfirmed at once while the host's name has no address yet, so that
-    /// nothing can be sent.
-    void hold();
+    /// For Orders: HOLD on, at once and ahead of everything, see StopOrder. Nobody is told yet. Sends nothing without a
+    /// link, or while the host's name has no address yet.
+    void sendHold();
+    /// Says that HOLD was sent, or that it could not be; nothing while Disconnected.
+    void tellHold();
 
     void resolve();
     void openLink(const QHostAddress &address);
@@ -92,7 +93,6 @@ private:
     void onStatusAnswered();
     void setLinkState(LinkState state);
     void setTrouble(const std::optional<values::Error> &trouble);
-    void sendHold();
     void endHold(StopOrder::Outcome outcome, const std::optional<values::Error> &refusal);
     void setHoldOrder(const std::optional<HoldOrder> &order);
     void noteRelease();

@@ -213,6 +213,14 @@ void Orders::onHoldOrderChanged()
     m_hold.clear();
 }
 
+void Orders::hold(const QList<Orders *> &orders)
+{
+    for (const Orders *each : orders)
+        each->m_controller.sendHold();
+    for (const Orders *each : orders)
+        each->m_controller.tellHold();
+}
+
 bool Orders::arm()
 {
     if (!m_arming.arm(*this, look(), now()))

@@ -153,7 +153,9 @@ public:
 
     /// HOLD on: always possible, see StopOrder. Every HOLD of the program comes through here. The packet leaves before
     /// window and journal hear of it.
-    void hold() { m_controller.hold(); }
+    void hold() { hold({this}); }
+    /// The same for several controllers: every packet leaves before anybody hears of one.
+    static void hold(const QList<Orders *> &orders);
     /// Servo off: always possible, see StopOrder.
     void servoOff(QObject *context, OrderHandler handler);
 

@@ -117,10 +117,12 @@ void Fleet::holdAll()
         if (member.station->isOpen())
             m_holds[member.station->id()] = std::nullopt;
     }
+    QList<robot::Orders *> open;
     for (const Member &member : m_members) {
         if (member.station->isOpen())
-            member.station->orders.hold();
+            open << &member.station->orders;
     }
+    robot::Orders::hold(open);
     Q_EMIT holdTold();
 }
 

@@ -162,6 +162,27 @@ private Q_SLOTS:
         QVERIFY(outcomes.at(dead->id()) == journal::Outcome::Unknown);
     }
 
+    /// When the first one is told, the packet of the last has left.
+    void everyHoldLeavesBeforeAnybodyIsTold()
+    {
+        TwoStations two;
+        QVERIFY(two.live());
+        const auto sentOf = [](const station::Station &station) {
+            return station.controller.statistics().counters.requests;
+        };
+        const auto before = std::pair {sentOf(*two.one), sentOf(*two.other)};
+        QList<bool> hadLeft;
+        for (const auto &station : {two.one, two.other})
+            connect(&station->controller, &robot::Controller::holdOrderChanged, this, [&] {
+                if (hadLeft.isEmpty())
+                    hadLeft << (sentOf(*two.one) > before.first) << (sentOf(*two.other) > before.second);
+            });
+        two.fleet.holdAll();
+        for (const auto &station : {two.one, two.other})
+            station->controller.disconnect(this);
+        QCOMPARE(hadLeft, (QList {true, true}));
+    }
+
     void inTheBackgroundItIsReadOnceASecond()
     {
         TwoStations two;
