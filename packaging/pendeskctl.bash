@@ -7,13 +7,14 @@ _pendeskctl() {
     local words="$controller --numbering --json --yes --quiet --log --help"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        words='status info alarms position jobs io registers var files check backup verify show compare restore watch decode
+        words='status info alarms position jobs io registers var files check backup verify show xref calls unused compare restore
+            watch decode
             --help --version'
     elif [ "$COMP_CWORD" -eq 2 ] && [[ $word != -* ]]; then
         case $verb in
             io|registers|var) words='get set' ;;
             files) words='ls get put rm' ;;
-            check|backup|verify|show|compare|restore) compopt -o default; return ;;
+            check|backup|verify|show|xref|calls|unused|compare|restore) compopt -o default; return ;;
         esac
     else
         case $verb:$before in
@@ -23,7 +24,7 @@ _pendeskctl() {
             decode:--port) words='10040 10041'; verb= ;;
             decode:--encoding) words='ISO-8859-1 UTF-8 Shift_JIS GBK Big5 EUC-KR'; verb= ;;
             *:--model) words='dx100 dx200 fs100 yrc1000 yrc1000micro'; verb= ;;
-            files:*|check:*|compare:*|show:*) [[ $word == -* ]] || { compopt -o default; return; } ;;
+            files:*|check:*|compare:*|show:*|xref:*|calls:*|unused:*) [[ $word == -* ]] || { compopt -o default; return; } ;;
         esac
     fi
     if [ "$COMP_CWORD" -gt 2 ] || [[ $COMP_CWORD -eq 2 && $word == -* ]]; then
@@ -34,7 +35,7 @@ _pendeskctl() {
             files) words="$words --to --replace" ;;
             backup) words="$words --keep --keep-days --all-prm" ;;
             check) words='--encoding --json --yes --quiet --log --help' ;;
-            show) words='--json --encoding --yes --quiet --log --help' ;;
+            show|xref|calls|unused) words='--json --encoding --yes --quiet --log --help' ;;
             verify) words='--json --yes --quiet --log --help' ;;
             compare) words="$words --noise" ;;
             restore) words="$words --dry-run" ;;

@@ -1985,6 +1985,66 @@
         <source>%1 “%2” is now named “%3”.</source>
         <translation>%1 „%2“ heißt jetzt „%3“.</translation>
     </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>waited for</source>
+        <translation>abgewartet</translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation>aufgerufen</translation>
+    </message>
+    <message>
+        <source>jumped to</source>
+        <translation>angesprungen</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>gestartet</translation>
+    </message>
+    <message>
+        <source>named</source>
+        <translation>benannt</translation>
+    </message>
+    <message>
+        <source>may be %1</source>
+        <translation>vielleicht %1</translation>
+    </message>
+    <message>
+        <source>%1 line %2</source>
+        <translation>%1 Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 is called, and no file has it: %2.</source>
+        <translation>%1 wird aufgerufen, und keine Datei enthält ihn: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is written in several places: %2.</source>
+        <translation>%1 wird an mehreren Stellen geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is read and never written in the files: %2.</source>
+        <translation>%1 wird gelesen und in den Dateien nie geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has several names: %2.</source>
+        <translation>%1 hat mehrere Namen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is used and its data were not entered: %2.</source>
+        <translation>%1 wird benutzt, seine Daten sind nicht eingegeben: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is named by no other job and no macro.</source>
+        <translation>%1 wird von keinem anderen Job und keinem Makro genannt.</translation>
+    </message>
 </context>
 <context>
     <name>cellfiles::Sentences</name>
@@ -8615,6 +8675,46 @@ Von da an kann sich der Roboter bewegen. Niemand darf sich innerhalb des Schutzz
     <message>
         <source>Another signal of the group changed meanwhile; nothing was sent.</source>
         <translation>Ein anderes Signal der Gruppe hat sich inzwischen geändert; es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>not used in these files</source>
+        <translation>in diesen Dateien nicht benutzt</translation>
+    </message>
+    <message>
+        <source>a job that is known when the line runs</source>
+        <translation>ein Job, der erst bei Ausführung der Zeile feststeht</translation>
+    </message>
+    <message>
+        <source>no file has it</source>
+        <translation>keine Datei enthält ihn</translation>
+    </message>
+    <message>
+        <source>Tells where variables, signals, registers, tools, frames, macros, alarms and jobs are used: in jobs, in the ladder, in files of names.</source>
+        <translation>Nennt, wo Variablen, Signale, Register, Werkzeuge, Koordinatensysteme, Makros, Alarme und Jobs benutzt werden: in Jobs, im Kontaktplan, in Namensdateien.</translation>
+    </message>
+    <message>
+        <source>Say what to look for, such as B012, IN#(5) or a job.</source>
+        <translation>Nennen Sie das Gesuchte, etwa B012, IN#(5) oder einen Job.</translation>
+    </message>
+    <message>
+        <source>Tells which job calls, jumps to or starts which, line by line.</source>
+        <translation>Nennt Zeile für Zeile, welcher Job welchen aufruft, anspringt oder startet.</translation>
+    </message>
+    <message>
+        <source>Tells what is worth a look: jobs that nothing names, jobs that are missing, outputs with several writers, variables that are never written, tools that were not entered.</source>
+        <translation>Nennt, was einen Blick wert ist: nirgends genannte Jobs, fehlende Jobs, mehrfach geschriebene Ausgänge, nie geschriebene Variablen, nicht eingegebene Werkzeuge.</translation>
+    </message>
+    <message>
+        <source>tell where variables, signals and jobs are used</source>
+        <translation>nennen, wo Variablen, Signale und Jobs benutzt werden</translation>
+    </message>
+    <message>
+        <source>tell which job calls which</source>
+        <translation>nennen, welcher Job welchen aufruft</translation>
+    </message>
+    <message>
+        <source>tell what in the files is worth a look</source>
+        <translation>nennen, was in den Dateien einen Blick wert ist</translation>
     </message>
 </context>
 <context>

@@ -1985,6 +1985,66 @@
         <source>%1 “%2” is now named “%3”.</source>
         <translation>%1 “%2” se llama ahora “%3”.</translation>
     </message>
+    <message>
+        <source>written</source>
+        <translation>escrito</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>leído</translation>
+    </message>
+    <message>
+        <source>waited for</source>
+        <translation>esperado</translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation>llamado</translation>
+    </message>
+    <message>
+        <source>jumped to</source>
+        <translation>destino de salto</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>iniciado</translation>
+    </message>
+    <message>
+        <source>named</source>
+        <translation>nombrado</translation>
+    </message>
+    <message>
+        <source>may be %1</source>
+        <translation>quizá %1</translation>
+    </message>
+    <message>
+        <source>%1 line %2</source>
+        <translation>%1 línea %2</translation>
+    </message>
+    <message>
+        <source>%1 is called, and no file has it: %2.</source>
+        <translation>Se llama a %1 y ningún archivo lo contiene: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is written in several places: %2.</source>
+        <translation>%1 se escribe en varios lugares: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is read and never written in the files: %2.</source>
+        <translation>%1 se lee y nunca se escribe en los archivos: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has several names: %2.</source>
+        <translation>%1 tiene varios nombres: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is used and its data were not entered: %2.</source>
+        <translation>%1 se usa y sus datos no se han introducido: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is named by no other job and no macro.</source>
+        <translation>Ningún otro job ni macro nombra a %1.</translation>
+    </message>
 </context>
 <context>
     <name>cellfiles::Sentences</name>
@@ -8615,6 +8675,46 @@ A partir de entonces el robot puede moverse. Nadie debe estar dentro del vallado
     <message>
         <source>Another signal of the group changed meanwhile; nothing was sent.</source>
         <translation>Entretanto cambió otra señal del grupo; no se envió nada.</translation>
+    </message>
+    <message>
+        <source>not used in these files</source>
+        <translation>sin uso en estos archivos</translation>
+    </message>
+    <message>
+        <source>a job that is known when the line runs</source>
+        <translation>un job que se conoce al ejecutar la línea</translation>
+    </message>
+    <message>
+        <source>no file has it</source>
+        <translation>ningún archivo lo contiene</translation>
+    </message>
+    <message>
+        <source>Tells where variables, signals, registers, tools, frames, macros, alarms and jobs are used: in jobs, in the ladder, in files of names.</source>
+        <translation>Dice dónde se usan variables, señales, registros, herramientas, sistemas, macros, alarmas y jobs: en jobs, en el ladder y en archivos de nombres.</translation>
+    </message>
+    <message>
+        <source>Say what to look for, such as B012, IN#(5) or a job.</source>
+        <translation>Indique qué buscar, como B012, IN#(5) o un job.</translation>
+    </message>
+    <message>
+        <source>Tells which job calls, jumps to or starts which, line by line.</source>
+        <translation>Dice, línea a línea, qué job llama, salta o inicia a cuál.</translation>
+    </message>
+    <message>
+        <source>Tells what is worth a look: jobs that nothing names, jobs that are missing, outputs with several writers, variables that are never written, tools that were not entered.</source>
+        <translation>Dice qué merece revisarse: jobs que nada nombra, jobs que faltan, salidas con varios escritores, variables que nunca se escriben, herramientas sin introducir.</translation>
+    </message>
+    <message>
+        <source>tell where variables, signals and jobs are used</source>
+        <translation>decir dónde se usan variables, señales y jobs</translation>
+    </message>
+    <message>
+        <source>tell which job calls which</source>
+        <translation>decir qué job llama a cuál</translation>
+    </message>
+    <message>
+        <source>tell what in the files is worth a look</source>
+        <translation>decir qué merece revisarse en los archivos</translation>
     </message>
 </context>
 <context>

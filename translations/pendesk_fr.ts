@@ -708,15 +708,15 @@
     <name>FileSheet</name>
     <message>
         <source>There is no “%1”.</source>
-        <translation>« %1 » n’existe pas.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’existe pas.</translation>
     </message>
     <message>
         <source>There is no folder “%1”.</source>
-        <translation>Le dossier « %1 » n’existe pas.</translation>
+        <translation>Le dossier «&#xa0;%1&#xa0;» n’existe pas.</translation>
     </message>
     <message>
         <source>“%1” exists already. Is it to be replaced?</source>
-        <translation>« %1 » existe déjà. Faut-il le remplacer ?</translation>
+        <translation>«&#xa0;%1&#xa0;» existe déjà. Faut-il le remplacer&#xa0;?</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -1185,11 +1185,11 @@
     </message>
     <message>
         <source>“Job” is what the controller names: at rest the job that a start would begin, else the one that runs. “Run” says which.</source>
-        <translation>« Job » est celui que nomme le contrôleur : à l’arrêt, le job qu’un démarrage lancerait, sinon celui qui est en marche. « Marche » indique lequel.</translation>
+        <translation>«&#xa0;Job&#xa0;» est celui que nomme le contrôleur&#xa0;: à l’arrêt, le job qu’un démarrage lancerait, sinon celui qui est en marche. «&#xa0;Marche&#xa0;» indique lequel.</translation>
     </message>
     <message>
         <source>All controllers side by side: those in alarm first, then those without a link and those that are held, then the others in a fixed order.</source>
-        <translation>Tous les contrôleurs côte à côte : d’abord ceux en alarme, puis ceux sans liaison et ceux en HOLD, puis les autres dans un ordre fixe.</translation>
+        <translation>Tous les contrôleurs côte à côte&#xa0;: d’abord ceux en alarme, puis ceux sans liaison et ceux en HOLD, puis les autres dans un ordre fixe.</translation>
     </message>
     <message>
         <source>A click opens a controller’s pages. The others stay connected and are read once a second.</source>
@@ -1201,7 +1201,7 @@
     </message>
     <message>
         <source>Connect all and Back up all only read. Nothing else goes to several controllers at once.</source>
-        <translation>« Tout connecter » et « Tout sauvegarder » ne font que lire. Rien d’autre n’est envoyé à plusieurs contrôleurs à la fois.</translation>
+        <translation>«&#xa0;Tout connecter&#xa0;» et «&#xa0;Tout sauvegarder&#xa0;» ne font que lire. Rien d’autre n’est envoyé à plusieurs contrôleurs à la fois.</translation>
     </message>
     <message>
         <source>Fleet</source>
@@ -1656,7 +1656,7 @@
     </message>
     <message>
         <source>%1: gone.</source>
-        <translation>%1 : disparu.</translation>
+        <translation>%1&#xa0;: disparu.</translation>
     </message>
     <message numerus="yes">
         <source>%n line(s) differ, from line %1 on.</source>
@@ -1667,7 +1667,7 @@
     </message>
     <message>
         <source>The newer file is empty; what stood in it is not known to be deleted.</source>
-        <translation>Le fichier le plus récent est vide ; on ne sait pas si ce qu’il contenait est supprimé.</translation>
+        <translation>Le fichier le plus récent est vide&#xa0;; on ne sait pas si ce qu’il contenait est supprimé.</translation>
     </message>
     <message>
         <source>The older file is empty.</source>
@@ -1682,7 +1682,7 @@
     </message>
     <message>
         <source>%1 bytes; the content differs.</source>
-        <translation>%1 octets ; le contenu diffère.</translation>
+        <translation>%1 octets&#xa0;; le contenu diffère.</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -1829,7 +1829,7 @@
     </message>
     <message>
         <source>%1, instruction %2: %3</source>
-        <translation>%1, instruction %2 : %3</translation>
+        <translation>%1, instruction %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 became %2</source>
@@ -1845,11 +1845,11 @@
     </message>
     <message>
         <source>Now also written: %1.</source>
-        <translation>Désormais aussi écrit : %1.</translation>
+        <translation>Désormais aussi écrit&#xa0;: %1.</translation>
     </message>
     <message>
         <source>No longer written: %1.</source>
-        <translation>N’est plus écrit : %1.</translation>
+        <translation>N’est plus écrit&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The control group %1 is another one.</source>
@@ -1865,7 +1865,7 @@
     </message>
     <message>
         <source>The hours of control power went back by %1: another controller, or its memory was cleared.</source>
-        <translation>Les heures de mise sous tension ont reculé de %1 : autre contrôleur, ou sa mémoire a été effacée.</translation>
+        <translation>Les heures de mise sous tension ont reculé de %1&#xa0;: autre contrôleur, ou sa mémoire a été effacée.</translation>
     </message>
     <message>
         <source>%1 powered in between.</source>
@@ -1885,11 +1885,11 @@
     </message>
     <message>
         <source>Home position of %1 axis %2 recalibrated (%3): taught points may be off.</source>
-        <translation>Position d’origine de %1 axe %2 recalibrée (%3) : les points appris peuvent être décalés.</translation>
+        <translation>Position d’origine de %1 axe %2 recalibrée (%3)&#xa0;: les points appris peuvent être décalés.</translation>
     </message>
     <message>
         <source>Position of %1 axis %2: %3 pulses.</source>
-        <translation>Position de %1 axe %2 : %3 impulsions.</translation>
+        <translation>Position de %1 axe %2&#xa0;: %3 impulsions.</translation>
     </message>
     <message>
         <source>on</source>
@@ -1901,15 +1901,15 @@
     </message>
     <message>
         <source> Command remote select: HSES control is permitted.</source>
-        <translation> CMD REMOTE SEL : la commande par HSES est autorisée.</translation>
+        <translation> CMD REMOTE SEL&#xa0;: la commande par HSES est autorisée.</translation>
     </message>
     <message>
         <source> Command remote select: HSES control will be refused.</source>
-        <translation> CMD REMOTE SEL : la commande par HSES sera refusée.</translation>
+        <translation> CMD REMOTE SEL&#xa0;: la commande par HSES sera refusée.</translation>
     </message>
     <message>
         <source>Pseudo input %1 switched %2.</source>
-        <translation>Pseudo-entrée %1 commutée : %2.</translation>
+        <translation>Pseudo-entrée %1 commutée&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Software</source>
@@ -1940,13 +1940,13 @@
     </message>
     <message>
         <source>The log rolled over: edits in between are not known.</source>
-        <translation>Le journal a débordé : les modifications intermédiaires sont inconnues.</translation>
+        <translation>Le journal a débordé&#xa0;: les modifications intermédiaires sont inconnues.</translation>
     </message>
     <message numerus="yes">
         <source>%n new alarm(s): %1.</source>
         <translation>
-            <numerusform>%n nouvelle alarme : %1.</numerusform>
-            <numerusform>%n nouvelles alarmes : %1.</numerusform>
+            <numerusform>%n nouvelle alarme&#xa0;: %1.</numerusform>
+            <numerusform>%n nouvelles alarmes&#xa0;: %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -1975,15 +1975,75 @@
     </message>
     <message>
         <source>%1 lost its name “%2”.</source>
-        <translation>%1 a perdu son nom « %2 ».</translation>
+        <translation>%1 a perdu son nom «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>%1 is now named “%2”.</source>
-        <translation>%1 s’appelle désormais « %2 ».</translation>
+        <translation>%1 s’appelle désormais «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>%1 “%2” is now named “%3”.</source>
-        <translation>%1 « %2 » s’appelle désormais « %3 ».</translation>
+        <translation>%1 «&#xa0;%2&#xa0;» s’appelle désormais «&#xa0;%3&#xa0;».</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>écrit</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lu</translation>
+    </message>
+    <message>
+        <source>waited for</source>
+        <translation>attendu</translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation>appelé</translation>
+    </message>
+    <message>
+        <source>jumped to</source>
+        <translation>cible de saut</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>lancé</translation>
+    </message>
+    <message>
+        <source>named</source>
+        <translation>nommé</translation>
+    </message>
+    <message>
+        <source>may be %1</source>
+        <translation>peut-être %1</translation>
+    </message>
+    <message>
+        <source>%1 line %2</source>
+        <translation>%1 ligne %2</translation>
+    </message>
+    <message>
+        <source>%1 is called, and no file has it: %2.</source>
+        <translation>%1 est appelé, et aucun fichier ne le contient : %2.</translation>
+    </message>
+    <message>
+        <source>%1 is written in several places: %2.</source>
+        <translation>%1 est écrit à plusieurs endroits : %2.</translation>
+    </message>
+    <message>
+        <source>%1 is read and never written in the files: %2.</source>
+        <translation>%1 est lu et n’est jamais écrit dans les fichiers : %2.</translation>
+    </message>
+    <message>
+        <source>%1 has several names: %2.</source>
+        <translation>%1 a plusieurs noms : %2.</translation>
+    </message>
+    <message>
+        <source>%1 is used and its data were not entered: %2.</source>
+        <translation>%1 est utilisé sans que ses données aient été saisies : %2.</translation>
+    </message>
+    <message>
+        <source>%1 is named by no other job and no macro.</source>
+        <translation>%1 n’est nommé par aucun autre job ni aucune macro.</translation>
     </message>
 </context>
 <context>
@@ -2066,7 +2126,7 @@
     </message>
     <message>
         <source>User frame %1 is not complete: where it lies is unknown.</source>
-        <translation>Le repère utilisateur %1 n’est pas complet : sa position est inconnue.</translation>
+        <translation>Le repère utilisateur %1 n’est pas complet&#xa0;: sa position est inconnue.</translation>
     </message>
     <message>
         <source>Job</source>
@@ -2358,7 +2418,7 @@
     </message>
     <message>
         <source>“%1” is not understood.</source>
-        <translation>« %1 » n’est pas compris.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas compris.</translation>
     </message>
     <message>
         <source>The record in front of this date is not understood.</source>
@@ -2390,11 +2450,11 @@
     </message>
     <message>
         <source>Lines end in LF alone. A pendant may take such a file for empty: convert it to CR LF before it is loaded.</source>
-        <translation>Les lignes se terminent par LF seul. Un boîtier de programmation peut croire un tel fichier vide : le convertir en CR LF avant de le charger.</translation>
+        <translation>Les lignes se terminent par LF seul. Un boîtier de programmation peut croire un tel fichier vide&#xa0;: le convertir en CR LF avant de le charger.</translation>
     </message>
     <message>
         <source>The file ends within a line: it may be cut.</source>
-        <translation>Le fichier finit dans une ligne : peut-être tronqué.</translation>
+        <translation>Le fichier finit dans une ligne&#xa0;: peut-être tronqué.</translation>
     </message>
     <message>
         <source>The file is empty.</source>
@@ -2406,11 +2466,11 @@
     </message>
     <message>
         <source>%1 has no section “%2”; the rows below it are not understood.</source>
-        <translation>%1 n’a pas de section « %2 » ; les lignes en dessous ne sont pas comprises.</translation>
+        <translation>%1 n’a pas de section «&#xa0;%2&#xa0;»&#xa0;; les lignes en dessous ne sont pas comprises.</translation>
     </message>
     <message>
         <source>The row has %1 instead of 10 values; the missing ones of %2 are unknown.</source>
-        <translation>La ligne a %1 valeurs au lieu de 10 ; celles qui manquent à %2 sont inconnues.</translation>
+        <translation>La ligne a %1 valeurs au lieu de 10&#xa0;; celles qui manquent à %2 sont inconnues.</translation>
     </message>
     <message>
         <source>%1 is no number of 32 bits.</source>
@@ -2418,11 +2478,11 @@
     </message>
     <message>
         <source>data transmission; 2 is over the network</source>
-        <translation>transmission de données ; 2 est par le réseau</translation>
+        <translation>transmission de données&#xa0;; 2 est par le réseau</translation>
     </message>
     <message>
         <source>numbering of variables for network clients; 1: by their number, 0: by their number plus one</source>
-        <translation>numérotation des variables pour les clients réseau ; 1 : par leur numéro, 0 : par leur numéro plus un</translation>
+        <translation>numérotation des variables pour les clients réseau&#xa0;; 1&#xa0;: par leur numéro, 0&#xa0;: par leur numéro plus un</translation>
     </message>
     <message>
         <source>1 permits network clients to overwrite files</source>
@@ -2430,7 +2490,7 @@
     </message>
     <message>
         <source>serial transmission: data bits, parity, stop, speed, timers</source>
-        <translation>transmission série : bits de données, parité, arrêt, vitesse, temporisateurs</translation>
+        <translation>transmission série&#xa0;: bits de données, parité, arrêt, vitesse, temporisateurs</translation>
     </message>
     <message>
         <source>3 permits overwriting when loading from USB</source>
@@ -2446,7 +2506,7 @@
     </message>
     <message>
         <source>1 permits network clients to overwrite files; the meaning of 2 is not known</source>
-        <translation>1 autorise les clients réseau à écraser des fichiers ; la signification de 2 est inconnue</translation>
+        <translation>1 autorise les clients réseau à écraser des fichiers&#xa0;; la signification de 2 est inconnue</translation>
     </message>
     <message>
         <source>addresses and masks</source>
@@ -2458,11 +2518,11 @@
     </message>
     <message>
         <source>pendant operation in remote; 63 permits starts and edits</source>
-        <translation>utilisation du boîtier en REMOTE ; 63 autorise démarrages et modifications</translation>
+        <translation>utilisation du boîtier en REMOTE&#xa0;; 63 autorise démarrages et modifications</translation>
     </message>
     <message>
         <source>alias function; 0 permits loading own names</source>
-        <translation>fonction alias ; 0 autorise le chargement de noms propres</translation>
+        <translation>fonction alias&#xa0;; 0 autorise le chargement de noms propres</translation>
     </message>
     <message>
         <source>drivers that start motion need 0</source>
@@ -2486,7 +2546,7 @@
     </message>
     <message>
         <source>The name “%1” holds bytes that the text encoding does not know.</source>
-        <translation>Le nom « %1 » contient des octets que l’encodage du texte ne connaît pas.</translation>
+        <translation>Le nom «&#xa0;%1&#xa0;» contient des octets que l’encodage du texte ne connaît pas.</translation>
     </message>
     <message>
         <source>The row has more than four names.</source>
@@ -2509,7 +2569,7 @@
     </message>
     <message>
         <source>%1 was named “%2” before; which name the pendant shows is not known.</source>
-        <translation>%1 s’appelait « %2 » auparavant ; on ne sait pas quel nom le boîtier affiche.</translation>
+        <translation>%1 s’appelait «&#xa0;%2&#xa0;» auparavant&#xa0;; on ne sait pas quel nom le boîtier affiche.</translation>
     </message>
     <message>
         <source>The line stands in a section that names no signals.</source>
@@ -2784,7 +2844,7 @@
     </message>
     <message>
         <source>The file announces %1 variables %2 and has %3; the others are not known.</source>
-        <translation>Le fichier annonce %1 variables %2 et en a %3 ; les autres sont inconnues.</translation>
+        <translation>Le fichier annonce %1 variables %2 et en a %3&#xa0;; les autres sont inconnues.</translation>
     </message>
     <message>
         <source>pulse</source>
@@ -3954,19 +4014,19 @@
     </message>
     <message>
         <source>A fresh backup of %1 is made first. Then the files below are sent one by one and read back. A refused file is left out; it stops at any other error.</source>
-        <translation>Une nouvelle sauvegarde de %1 est d’abord faite. Puis les fichiers ci-dessous sont envoyés un par un et relus. Un fichier refusé est omis ; toute autre erreur arrête l’opération.</translation>
+        <translation>Une nouvelle sauvegarde de %1 est d’abord faite. Puis les fichiers ci-dessous sont envoyés un par un et relus. Un fichier refusé est omis&#xa0;; toute autre erreur arrête l’opération.</translation>
     </message>
     <message>
         <source>%1: the backup is of %2, the controller is %3.</source>
-        <translation>%1 : la sauvegarde est de %2, le contrôleur est %3.</translation>
+        <translation>%1&#xa0;: la sauvegarde est de %2, le contrôleur est %3.</translation>
     </message>
     <message>
         <source>This is the backup of another robot: nothing of it is sent.</source>
-        <translation>C’est la sauvegarde d’un autre robot : rien n’en est envoyé.</translation>
+        <translation>C’est la sauvegarde d’un autre robot&#xa0;: rien n’en est envoyé.</translation>
     </message>
     <message>
         <source>The controller refused %1; the other files were sent.</source>
-        <translation>Le contrôleur a refusé %1 ; les autres fichiers ont été envoyés.</translation>
+        <translation>Le contrôleur a refusé %1&#xa0;; les autres fichiers ont été envoyés.</translation>
     </message>
 </context>
 <context>
@@ -4133,7 +4193,7 @@
     </message>
     <message>
         <source>It belongs to this one controller, or only tells what happened: it is never sent.</source>
-        <translation>Il appartient à ce seul contrôleur, ou indique seulement ce qui s’est passé : il n’est jamais envoyé.</translation>
+        <translation>Il appartient à ce seul contrôleur, ou indique seulement ce qui s’est passé&#xa0;: il n’est jamais envoyé.</translation>
     </message>
     <message>
         <source>It comes from another robot.</source>
@@ -4141,7 +4201,7 @@
     </message>
     <message>
         <source>It changes how the robot moves, or what protects people: look at the differences and choose it.</source>
-        <translation>Il change la façon dont le robot se déplace, ou ce qui protège les personnes : regarder les différences et le choisir.</translation>
+        <translation>Il change la façon dont le robot se déplace, ou ce qui protège les personnes&#xa0;: regarder les différences et le choisir.</translation>
     </message>
 </context>
 <context>
@@ -4179,7 +4239,7 @@
     </message>
     <message>
         <source>“%1” is no type of file that can be sent.</source>
-        <translation>« %1 » n’est pas un type de fichier qui peut être envoyé.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un type de fichier qui peut être envoyé.</translation>
     </message>
     <message>
         <source>Controllers take JBI, JBR, CND, DAT, PRM and LST.</source>
@@ -4195,11 +4255,11 @@
     </message>
     <message>
         <source>The header names the job “%1”.</source>
-        <translation>L’en-tête nomme le job « %1 ».</translation>
+        <translation>L’en-tête nomme le job «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>The name in the header counts: that job would be written.</source>
-        <translation>Le nom dans l’en-tête compte : c’est ce job qui serait écrit.</translation>
+        <translation>Le nom dans l’en-tête compte&#xa0;: c’est ce job qui serait écrit.</translation>
     </message>
     <message>
         <source>The job is being executed.</source>
@@ -4223,7 +4283,7 @@
     </message>
     <message>
         <source>Controllers know no such mark: save the file without it.</source>
-        <translation>Les contrôleurs ignorent cette marque : enregistrer le fichier sans elle.</translation>
+        <translation>Les contrôleurs ignorent cette marque&#xa0;: enregistrer le fichier sans elle.</translation>
     </message>
     <message>
         <source>The file is UTF-16 text.</source>
@@ -4239,7 +4299,7 @@
     </message>
     <message>
         <source>Lines end in CR LF; the controller finds neither NOP nor END (pendant 3200).</source>
-        <translation>Les lignes se terminent par CR LF ; le contrôleur ne trouve ni NOP ni END (boîtier 3200).</translation>
+        <translation>Les lignes se terminent par CR LF&#xa0;; le contrôleur ne trouve ni NOP ni END (boîtier 3200).</translation>
     </message>
     <message>
         <source>Lines end in LF alone.</source>
@@ -4247,11 +4307,11 @@
     </message>
     <message>
         <source>Lines end in CR LF; the controller finds neither NOP nor END (0x5130, pendant 3200).</source>
-        <translation>Les lignes se terminent par CR LF ; le contrôleur ne trouve ni NOP ni END (0x5130, boîtier 3200).</translation>
+        <translation>Les lignes se terminent par CR LF&#xa0;; le contrôleur ne trouve ni NOP ni END (0x5130, boîtier 3200).</translation>
     </message>
     <message>
         <source>Lines end in CR LF; a controller may read such a file as empty.</source>
-        <translation>Les lignes se terminent par CR LF ; un contrôleur peut lire un tel fichier comme vide.</translation>
+        <translation>Les lignes se terminent par CR LF&#xa0;; un contrôleur peut lire un tel fichier comme vide.</translation>
     </message>
     <message>
         <source>The last line does not end.</source>
@@ -4279,7 +4339,7 @@
     </message>
     <message>
         <source>This is no job: it does not have the line /JOB.</source>
-        <translation>Ce n’est pas un job : la ligne /JOB est absente.</translation>
+        <translation>Ce n’est pas un job&#xa0;: la ligne /JOB est absente.</translation>
     </message>
     <message>
         <source>A job begins with it (0x5310).</source>
@@ -4295,7 +4355,7 @@
     </message>
     <message>
         <source>“%1” is no name for a job.</source>
-        <translation>« %1 » n’est pas un nom de job.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nom de job.</translation>
     </message>
     <message>
         <source>A name has 1 to 32 bytes, no blanks and none of the signs that names of files may not have (0x4190).</source>
@@ -4351,7 +4411,7 @@
     </message>
     <message>
         <source>///NPOS does not count the positions of each kind: %1 (kind, said, found).</source>
-        <translation>///NPOS ne compte pas les positions de chaque type : %1 (type, indiqué, trouvé).</translation>
+        <translation>///NPOS ne compte pas les positions de chaque type&#xa0;: %1 (type, indiqué, trouvé).</translation>
     </message>
     <message>
         <source>There is text among the positions that is none.</source>
@@ -4395,7 +4455,7 @@
     </message>
     <message>
         <source>The number of values does not fit the axes: %1 (position, values).</source>
-        <translation>Le nombre de valeurs ne correspond pas aux axes : %1 (position, valeurs).</translation>
+        <translation>Le nombre de valeurs ne correspond pas aux axes&#xa0;: %1 (position, valeurs).</translation>
     </message>
     <message>
         <source>A robot has 6 or 7 axes, a base 1 to 3, a station 1 to 6 (0x5180).</source>
@@ -4471,7 +4531,7 @@
     </message>
     <message>
         <source>An instruction was cut in two: it belongs to the line before (0x5110).</source>
-        <translation>Une instruction a été coupée en deux : elle appartient à la ligne précédente (0x5110).</translation>
+        <translation>Une instruction a été coupée en deux&#xa0;: elle appartient à la ligne précédente (0x5110).</translation>
     </message>
     <message>
         <source>%1 is no instruction that this program knows.</source>
@@ -4479,7 +4539,7 @@
     </message>
     <message>
         <source>It may belong to an option; a controller without it refuses the job (0x5110).</source>
-        <translation>Elle relève peut-être d’une option ; un contrôleur sans celle-ci refuse le job (0x5110).</translation>
+        <translation>Elle relève peut-être d’une option&#xa0;; un contrôleur sans celle-ci refuse le job (0x5110).</translation>
     </message>
     <message>
         <source>There are characters beyond ASCII outside of comments and texts.</source>
@@ -4499,7 +4559,7 @@
     </message>
     <message>
         <source>The job has more than 10,000 lines.</source>
-        <translation>Le job a plus de 10 000 lignes.</translation>
+        <translation>Le job a plus de 10&#xa0;000 lignes.</translation>
     </message>
     <message>
         <source>Controllers number lines to 9999.</source>
@@ -4587,15 +4647,15 @@
     </message>
     <message>
         <source>Line %1 of the file, named by line %2: %3</source>
-        <translation>Ligne %1 du fichier, nommée par la ligne %2 : %3</translation>
+        <translation>Ligne %1 du fichier, nommée par la ligne %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Line %1 (%2 in the file): %3</source>
-        <translation>Ligne %1 (%2 dans le fichier) : %3</translation>
+        <translation>Ligne %1 (%2 dans le fichier)&#xa0;: %3</translation>
     </message>
     <message>
         <source>Line %1 of the file: %2</source>
-        <translation>Ligne %1 du fichier : %2</translation>
+        <translation>Ligne %1 du fichier&#xa0;: %2</translation>
     </message>
     <message>
         <source>There is no ///NPOS.</source>
@@ -4606,11 +4666,11 @@
     <name>inform::JobDiff</name>
     <message>
         <source>arm form: field %1 of RCONF %2 → %3</source>
-        <translation>configuration du bras : champ %1 de RCONF %2 → %3</translation>
+        <translation>configuration du bras&#xa0;: champ %1 de RCONF %2 → %3</translation>
     </message>
     <message>
         <source>arm form: %1 → %2</source>
-        <translation>configuration du bras : %1 → %2</translation>
+        <translation>configuration du bras&#xa0;: %1 → %2</translation>
     </message>
     <message>
         <source>axis %1</source>
@@ -4642,11 +4702,11 @@
     </message>
     <message>
         <source>moved %1</source>
-        <translation>déplacé : %1</translation>
+        <translation>déplacé&#xa0;: %1</translation>
     </message>
     <message>
         <source>moved %1 (%2)</source>
-        <translation>déplacé : %1 (%2)</translation>
+        <translation>déplacé&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>type %1 → %2</source>
@@ -4714,51 +4774,51 @@
     </message>
     <message>
         <source>Relative frame: %1 → %2</source>
-        <translation>Repère relatif : %1 → %2</translation>
+        <translation>Repère relatif&#xa0;: %1 → %2</translation>
     </message>
     <message>
         <source>Job name: “%1” → “%2”</source>
-        <translation>Nom du job : « %1 » → « %2 »</translation>
+        <translation>Nom du job&#xa0;: «&#xa0;%1&#xa0;» → «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Job folder: “%1” → “%2”</source>
-        <translation>Dossier du job : « %1 » → « %2 »</translation>
+        <translation>Dossier du job&#xa0;: «&#xa0;%1&#xa0;» → «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Comment of the job: “%1” → “%2”</source>
-        <translation>Commentaire du job : « %1 » → « %2 »</translation>
+        <translation>Commentaire du job&#xa0;: «&#xa0;%1&#xa0;» → «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Control group GROUP%1: %2 → %3</source>
-        <translation>Groupe d’axes GROUP%1 : %2 → %3</translation>
+        <translation>Groupe d’axes GROUP%1&#xa0;: %2 → %3</translation>
     </message>
     <message>
         <source>Control group GROUP%1 added: %2</source>
-        <translation>Groupe d’axes GROUP%1 ajouté : %2</translation>
+        <translation>Groupe d’axes GROUP%1 ajouté&#xa0;: %2</translation>
     </message>
     <message>
         <source>Control group GROUP%1 removed: %2</source>
-        <translation>Groupe d’axes GROUP%1 retiré : %2</translation>
+        <translation>Groupe d’axes GROUP%1 retiré&#xa0;: %2</translation>
     </message>
     <message>
         <source>Local variables %1: %2 → %3</source>
-        <translation>Variables locales %1 : %2 → %3</translation>
+        <translation>Variables locales %1&#xa0;: %2 → %3</translation>
     </message>
     <message>
         <source>Alias of %1: %2 → %3</source>
-        <translation>Alias de %1 : %2 → %3</translation>
+        <translation>Alias de %1&#xa0;: %2 → %3</translation>
     </message>
     <message>
         <source>Alias of %1 added: %2</source>
-        <translation>Alias de %1 ajouté : %2</translation>
+        <translation>Alias de %1 ajouté&#xa0;: %2</translation>
     </message>
     <message>
         <source>Alias of %1 removed: %2</source>
-        <translation>Alias de %1 retiré : %2</translation>
+        <translation>Alias de %1 retiré&#xa0;: %2</translation>
     </message>
     <message>
         <source>Argument %1: “%2” → “%3”</source>
-        <translation>Argument %1 : « %2 » → « %3 »</translation>
+        <translation>Argument %1&#xa0;: «&#xa0;%2&#xa0;» → «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>Line %1 %2</source>
@@ -4770,37 +4830,37 @@
     </message>
     <message>
         <source>%1: %2 %3 added</source>
-        <translation>%1 : %2 %3 ajouté</translation>
+        <translation>%1&#xa0;: %2 %3 ajouté</translation>
     </message>
     <message>
         <source>%1: %2 %3 removed</source>
-        <translation>%1 : %2 %3 retiré</translation>
+        <translation>%1&#xa0;: %2 %3 retiré</translation>
     </message>
     <message>
         <source>%1: %2 → %3</source>
         <comment>line and instruction, before, after</comment>
-        <translation>%1 : %2 → %3</translation>
+        <translation>%1&#xa0;: %2 → %3</translation>
     </message>
     <message>
         <source>%1: %2 %3 → %4</source>
         <comment>line and instruction, operand, before, after</comment>
-        <translation>%1 : %2 %3 → %4</translation>
+        <translation>%1&#xa0;: %2 %3 → %4</translation>
     </message>
     <message>
         <source>Line %1 added: %2</source>
-        <translation>Ligne %1 ajoutée : %2</translation>
+        <translation>Ligne %1 ajoutée&#xa0;: %2</translation>
     </message>
     <message>
         <source>Line %1 added: %2 (new point: %3)</source>
-        <translation>Ligne %1 ajoutée : %2 (nouveau point : %3)</translation>
+        <translation>Ligne %1 ajoutée&#xa0;: %2 (nouveau point&#xa0;: %3)</translation>
     </message>
     <message>
         <source>Line %1 removed: %2</source>
-        <translation>Ligne %1 retirée : %2</translation>
+        <translation>Ligne %1 retirée&#xa0;: %2</translation>
     </message>
     <message>
         <source>Line %1 removed: %2 (with its point: %3)</source>
-        <translation>Ligne %1 retirée : %2 (avec son point : %3)</translation>
+        <translation>Ligne %1 retirée&#xa0;: %2 (avec son point&#xa0;: %3)</translation>
     </message>
     <message numerus="yes">
         <source>%n line(s) moved from line %1 to line %2</source>
@@ -4811,65 +4871,65 @@
     </message>
     <message>
         <source>Line %1 commented out: %2</source>
-        <translation>Ligne %1 mise en commentaire : %2</translation>
+        <translation>Ligne %1 mise en commentaire&#xa0;: %2</translation>
     </message>
     <message>
         <source>Line %1 no longer commented out: %2</source>
-        <translation>Ligne %1 plus en commentaire : %2</translation>
+        <translation>Ligne %1 plus en commentaire&#xa0;: %2</translation>
     </message>
     <message>
         <source>Line %1 locked against editing: %2</source>
-        <translation>Ligne %1 verrouillée contre l’édition : %2</translation>
+        <translation>Ligne %1 verrouillée contre l’édition&#xa0;: %2</translation>
     </message>
     <message>
         <source>Line %1 no longer locked against editing: %2</source>
-        <translation>Ligne %1 plus verrouillée contre l’édition : %2</translation>
+        <translation>Ligne %1 plus verrouillée contre l’édition&#xa0;: %2</translation>
     </message>
     <message>
         <source>Line %1, comment: “%2” → “%3”</source>
-        <translation>Ligne %1, commentaire : « %2 » → « %3 »</translation>
+        <translation>Ligne %1, commentaire&#xa0;: «&#xa0;%2&#xa0;» → «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>Line %1, comment added: “%2”</source>
-        <translation>Ligne %1, commentaire ajouté : « %2 »</translation>
+        <translation>Ligne %1, commentaire ajouté&#xa0;: «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Line %1, comment removed: “%2”</source>
-        <translation>Ligne %1, commentaire retiré : « %2 »</translation>
+        <translation>Ligne %1, commentaire retiré&#xa0;: «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Line %1: %2 → %3</source>
-        <translation>Ligne %1 : %2 → %3</translation>
+        <translation>Ligne %1&#xa0;: %2 → %3</translation>
     </message>
     <message>
         <source>%1 added: %2</source>
         <comment>a position</comment>
-        <translation>%1 ajoutée : %2</translation>
+        <translation>%1 ajoutée&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 removed: %2</source>
         <comment>a position</comment>
-        <translation>%1 retirée : %2</translation>
+        <translation>%1 retirée&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>a position</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
     <name>journal</name>
     <message>
         <source>%n record(s) of the journal are lost: neither the journal nor %1 could be written.</source>
-        <translation>Entrées du journal perdues : %n. Ni le journal ni %1 n’ont pu être écrits.</translation>
+        <translation>Entrées du journal perdues&#xa0;: %n. Ni le journal ni %1 n’ont pu être écrits.</translation>
     </message>
     <message>
         <source>%n record(s) could not be written into the journal. Orders and notes are kept in %1.</source>
-        <translation>Entrées non écrites dans le journal : %n. Les ordres et les notes sont conservés dans %1.</translation>
+        <translation>Entrées non écrites dans le journal&#xa0;: %n. Les ordres et les notes sont conservés dans %1.</translation>
     </message>
     <message>
         <source>What an earlier program left for the journal cannot be read: %1</source>
-        <translation>Ce qu’un programme antérieur a laissé pour le journal ne peut pas être lu : %1</translation>
+        <translation>Ce qu’un programme antérieur a laissé pour le journal ne peut pas être lu&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -5015,7 +5075,7 @@
     </message>
     <message>
         <source>Hold: %1</source>
-        <translation>HOLD : %1</translation>
+        <translation>HOLD&#xa0;: %1</translation>
     </message>
     <message>
         <source>RUNNING</source>
@@ -5051,7 +5111,7 @@
     </message>
     <message>
         <source>%1: %2. %3</source>
-        <translation>%1 : %2. %3</translation>
+        <translation>%1&#xa0;: %2. %3</translation>
     </message>
     <message>
         <source>Controller</source>
@@ -6120,7 +6180,7 @@
     </message>
     <message>
         <source>Comparison: from %1 to %2</source>
-        <translation>Comparaison : de %1 à %2</translation>
+        <translation>Comparaison&#xa0;: de %1 à %2</translation>
     </message>
     <message>
         <source>The files are being compared…</source>
@@ -6129,8 +6189,8 @@
     <message numerus="yes">
         <source>Not counted: %n counter(s), log(s) and the like</source>
         <translation>
-            <numerusform>Non compté : %n compteur, journal ou similaire</numerusform>
-            <numerusform>Non comptés : %n compteurs, journaux et similaires</numerusform>
+            <numerusform>Non compté&#xa0;: %n compteur, journal ou similaire</numerusform>
+            <numerusform>Non comptés&#xa0;: %n compteurs, journaux et similaires</numerusform>
         </translation>
     </message>
 </context>
@@ -6322,7 +6382,7 @@
     </message>
     <message>
         <source>▲ HOLD was not confirmed by %1: look at the robot.</source>
-        <translation>▲ HOLD n’a pas été confirmé par %1 : regarder le robot.</translation>
+        <translation>▲ HOLD n’a pas été confirmé par %1&#xa0;: regarder le robot.</translation>
     </message>
     <message>
         <source>HOLD is being asked of %1.</source>
@@ -7645,7 +7705,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>last seen: %1</source>
-        <translation>dernière lecture : %1</translation>
+        <translation>dernière lecture&#xa0;: %1</translation>
     </message>
     <message>
         <source>Servo %1</source>
@@ -7923,11 +7983,11 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>The file cannot be read: %1</source>
-        <translation>Le fichier ne peut pas être lu : %1</translation>
+        <translation>Le fichier ne peut pas être lu&#xa0;: %1</translation>
     </message>
     <message>
         <source>The file could not be written: %1</source>
-        <translation>Le fichier n’a pas pu être écrit : %1</translation>
+        <translation>Le fichier n’a pas pu être écrit&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -8510,7 +8570,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Looks at jobs as before they are sent, and prints what is wrong or odd; exit code 1 if a controller would refuse one.</source>
-        <translation>Examine des jobs comme avant leur envoi et affiche ce qui est incorrect ou étrange ; code de sortie 1 si un contrôleur en refuserait un.</translation>
+        <translation>Examine des jobs comme avant leur envoi et affiche ce qui est incorrect ou étrange&#xa0;; code de sortie 1 si un contrôleur en refuserait un.</translation>
     </message>
     <message>
         <source>Say the files or a folder.</source>
@@ -8518,11 +8578,11 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>“%1” is no encoding.</source>
-        <translation>« %1 » n’est pas un encodage.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un encodage.</translation>
     </message>
     <message>
         <source>Not counted: %1 counters, %2 logs, %3 other files with nothing but dates, hours or check lines.</source>
-        <translation>Non comptés : %1 compteurs, %2 journaux, %3 autres fichiers n’ayant que dates, heures ou lignes de contrôle.</translation>
+        <translation>Non comptés&#xa0;: %1 compteurs, %2 journaux, %3 autres fichiers n’ayant que dates, heures ou lignes de contrôle.</translation>
     </message>
     <message>
         <source>Count dates, counters, logs, blanks and line ends as differences too.</source>
@@ -8530,15 +8590,15 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Compares two backups or folders of controller files, or one with the controller, in words; exit code 1 if configuration or data differ.</source>
-        <translation>Compare deux sauvegardes ou dossiers de fichiers du contrôleur, ou une avec le contrôleur, en mots ; code de sortie 1 si la configuration ou les données diffèrent.</translation>
+        <translation>Compare deux sauvegardes ou dossiers de fichiers du contrôleur, ou une avec le contrôleur, en mots&#xa0;; code de sortie 1 si la configuration ou les données diffèrent.</translation>
     </message>
     <message>
         <source>The encoding of texts: %1.</source>
-        <translation>L’encodage des textes : %1.</translation>
+        <translation>L’encodage des textes&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The controller model: %1.</source>
-        <translation>Le modèle du contrôleur : %1.</translation>
+        <translation>Le modèle du contrôleur&#xa0;: %1.</translation>
     </message>
     <message>
         <source>look at jobs before they are sent</source>
@@ -8550,7 +8610,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>The encoding of the pendant&apos;s language instead of the stored one: %1.</source>
-        <translation>L’encodage de la langue du boîtier de programmation au lieu de celui enregistré : %1.</translation>
+        <translation>L’encodage de la langue du boîtier de programmation au lieu de celui enregistré&#xa0;: %1.</translation>
     </message>
     <message>
         <source>--encoding takes one of %1.</source>
@@ -8562,7 +8622,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>%1 does not take “%2”. See pendeskctl %1 --help.</source>
-        <translation>%1 n’accepte pas « %2 ». Voir pendeskctl %1 --help.</translation>
+        <translation>%1 n’accepte pas «&#xa0;%2&#xa0;». Voir pendeskctl %1 --help.</translation>
     </message>
     <message>
         <source>%1 takes %2. See pendeskctl %1 --help.</source>
@@ -8570,11 +8630,11 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Reads where a control group stands: the first robot, or R2, B1, S1.</source>
-        <translation>Lit la position d’un groupe d’axes : le premier robot, ou R2, B1, S1.</translation>
+        <translation>Lit la position d’un groupe d’axes&#xa0;: le premier robot, ou R2, B1, S1.</translation>
     </message>
     <message>
         <source>“%1” is no control group of a %2: say R1, B1 or S1.</source>
-        <translation>« %1 » n’est pas un groupe d’axes d’un %2 : indiquer R1, B1 ou S1.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un groupe d’axes d’un %2&#xa0;: indiquer R1, B1 ou S1.</translation>
     </message>
     <message>
         <source>The backup (left) is of another robot than the controller (right). Nothing was sent. Single jobs and names can be sent by their names.</source>
@@ -8582,7 +8642,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Sends back what differs from a backup of the same robot: first a fresh backup beside it, then file by file, each read back. Tools, frames and areas only by name; parameters, calibration and ladder never; never while a job runs.</source>
-        <translation>Renvoie ce qui diffère d’une sauvegarde du même robot : d’abord une nouvelle sauvegarde à côté, puis fichier par fichier, chacun relu. Outils, repères et zones seulement par leur nom ; paramètres, calibrage et ladder jamais ; jamais pendant qu’un job est en marche.</translation>
+        <translation>Renvoie ce qui diffère d’une sauvegarde du même robot&#xa0;: d’abord une nouvelle sauvegarde à côté, puis fichier par fichier, chacun relu. Outils, repères et zones seulement par leur nom&#xa0;; paramètres, calibrage et ladder jamais&#xa0;; jamais pendant qu’un job est en marche.</translation>
     </message>
     <message>
         <source>%1 bytes that are not a text.</source>
@@ -8590,7 +8650,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>The encoding of the pendant.</source>
@@ -8598,7 +8658,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Tells what controller files say: names, tools, frames, variables, parameters, ladder, logs. Addresses, users and passwords are masked.</source>
-        <translation>Indique ce que disent les fichiers du contrôleur : noms, outils, repères, variables, paramètres, ladder, journaux. Adresses, utilisateurs et mots de passe sont masqués.</translation>
+        <translation>Indique ce que disent les fichiers du contrôleur&#xa0;: noms, outils, repères, variables, paramètres, ladder, journaux. Adresses, utilisateurs et mots de passe sont masqués.</translation>
     </message>
     <message>
         <source>Say a backup, a folder or files.</source>
@@ -8606,7 +8666,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>There is no encoding “%1”.</source>
-        <translation>Il n’y a pas d’encodage « %1 ».</translation>
+        <translation>Il n’y a pas d’encodage «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>--every takes a time such as 200ms or 1s.</source>
@@ -8614,7 +8674,47 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Another signal of the group changed meanwhile; nothing was sent.</source>
-        <translation>Un autre signal du groupe a changé entre-temps ; rien n’a été envoyé.</translation>
+        <translation>Un autre signal du groupe a changé entre-temps&#xa0;; rien n’a été envoyé.</translation>
+    </message>
+    <message>
+        <source>not used in these files</source>
+        <translation>non utilisé dans ces fichiers</translation>
+    </message>
+    <message>
+        <source>a job that is known when the line runs</source>
+        <translation>un job connu à l’exécution de la ligne</translation>
+    </message>
+    <message>
+        <source>no file has it</source>
+        <translation>aucun fichier ne le contient</translation>
+    </message>
+    <message>
+        <source>Tells where variables, signals, registers, tools, frames, macros, alarms and jobs are used: in jobs, in the ladder, in files of names.</source>
+        <translation>Dit où les variables, signaux, registres, outils, repères, macros, alarmes et jobs sont utilisés : dans les jobs, le ladder et les fichiers de noms.</translation>
+    </message>
+    <message>
+        <source>Say what to look for, such as B012, IN#(5) or a job.</source>
+        <translation>Indiquez ce qui est cherché, par exemple B012, IN#(5) ou un job.</translation>
+    </message>
+    <message>
+        <source>Tells which job calls, jumps to or starts which, line by line.</source>
+        <translation>Dit ligne par ligne quel job appelle, atteint par saut ou lance quel autre.</translation>
+    </message>
+    <message>
+        <source>Tells what is worth a look: jobs that nothing names, jobs that are missing, outputs with several writers, variables that are never written, tools that were not entered.</source>
+        <translation>Dit ce qui mérite un coup d’œil : jobs jamais nommés, jobs absents, sorties écrites à plusieurs endroits, variables jamais écrites, outils non saisis.</translation>
+    </message>
+    <message>
+        <source>tell where variables, signals and jobs are used</source>
+        <translation>dire où variables, signaux et jobs sont utilisés</translation>
+    </message>
+    <message>
+        <source>tell which job calls which</source>
+        <translation>dire quel job appelle lequel</translation>
+    </message>
+    <message>
+        <source>tell what in the files is worth a look</source>
+        <translation>dire ce qui mérite un coup d’œil dans les fichiers</translation>
     </message>
 </context>
 <context>
@@ -9674,7 +9774,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Its model: dx100, dx200, fs100, yrc1000 or yrc1000micro.</source>
-        <translation>Son modèle : dx100, dx200, fs100, yrc1000 ou yrc1000micro.</translation>
+        <translation>Son modèle&#xa0;: dx100, dx200, fs100, yrc1000 ou yrc1000micro.</translation>
     </message>
     <message>
         <source>What to log, as &quot;pendesk.session=true;pendesk.journal.debug=false&quot;.</source>
@@ -9732,11 +9832,11 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>The settings cannot be read: %1.</source>
-        <translation>Les réglages ne peuvent pas être lus : %1.</translation>
+        <translation>Les réglages ne peuvent pas être lus&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The settings are damaged; they are kept as %1.</source>
-        <translation>Les réglages sont endommagés ; ils sont conservés sous %1.</translation>
+        <translation>Les réglages sont endommagés&#xa0;; ils sont conservés sous %1.</translation>
     </message>
     <message>
         <source>another program holds %1</source>
@@ -9744,17 +9844,17 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     </message>
     <message>
         <source>Settings could not be saved in time and are lost: %1</source>
-        <translation>Des réglages n’ont pas pu être enregistrés à temps et sont perdus : %1</translation>
+        <translation>Des réglages n’ont pas pu être enregistrés à temps et sont perdus&#xa0;: %1</translation>
     </message>
     <message>
         <source>Settings cannot be saved: %1. Work goes on; it is tried again.</source>
-        <translation>Réglages impossibles à enregistrer : %1. Le travail continue ; nouvel essai à suivre.</translation>
+        <translation>Réglages impossibles à enregistrer&#xa0;: %1. Le travail continue&#xa0;; nouvel essai à suivre.</translation>
     </message>
     <message numerus="yes">
         <source>%n entry(ies) of the earlier settings cannot be read; they stay in %1.</source>
         <translation>
-            <numerusform>%n entrée des réglages antérieurs ne peut pas être lue ; elle reste dans %1.</numerusform>
-            <numerusform>%n entrées des réglages antérieurs ne peuvent pas être lues ; elles restent dans %1.</numerusform>
+            <numerusform>%n entrée des réglages antérieurs ne peut pas être lue&#xa0;; elle reste dans %1.</numerusform>
+            <numerusform>%n entrées des réglages antérieurs ne peuvent pas être lues&#xa0;; elles restent dans %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -9763,7 +9863,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     <message>
         <source>%1: %2</source>
         <comment>controller: sentence</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -9927,7 +10027,7 @@ Dès lors, le robot peut se déplacer. Personne ne doit se trouver à l’intér
     <name>trend::Recorder</name>
     <message>
         <source>An incident is lost: %1 could not be written in time.</source>
-        <translation>Un incident est perdu : %1 n’a pas pu être écrit à temps.</translation>
+        <translation>Un incident est perdu&#xa0;: %1 n’a pas pu être écrit à temps.</translation>
     </message>
 </context>
 <context>
@@ -10101,7 +10201,7 @@ HOLD est un HOLD logiciel par le réseau, pas une fonction de sécurité.</trans
     </message>
     <message>
         <source>HLOCK is still on at %1: the pendant stays locked out if you go on.</source>
-        <translation>HLOCK est encore activé sur %1 : le boîtier reste verrouillé si vous continuez.</translation>
+        <translation>HLOCK est encore activé sur %1&#xa0;: le boîtier reste verrouillé si vous continuez.</translation>
     </message>
     <message>
         <source>Release HLOCK and go on</source>

@@ -1979,6 +1979,66 @@
         <source>%1 “%2” is now named “%3”.</source>
         <translation>%1「%2」の名称が「%3」になりました。</translation>
     </message>
+    <message>
+        <source>written</source>
+        <translation>書込み</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>読出し</translation>
+    </message>
+    <message>
+        <source>waited for</source>
+        <translation>待ち</translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation>呼出し</translation>
+    </message>
+    <message>
+        <source>jumped to</source>
+        <translation>ジャンプ先</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>起動</translation>
+    </message>
+    <message>
+        <source>named</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>may be %1</source>
+        <translation>%1の可能性</translation>
+    </message>
+    <message>
+        <source>%1 line %2</source>
+        <translation>%1 %2行</translation>
+    </message>
+    <message>
+        <source>%1 is called, and no file has it: %2.</source>
+        <translation>%1 は呼び出されていますが、どのファイルにもありません: %2</translation>
+    </message>
+    <message>
+        <source>%1 is written in several places: %2.</source>
+        <translation>%1 は複数の箇所で書き込まれます: %2</translation>
+    </message>
+    <message>
+        <source>%1 is read and never written in the files: %2.</source>
+        <translation>%1 は読み出されますが、ファイル内では書き込まれません: %2</translation>
+    </message>
+    <message>
+        <source>%1 has several names: %2.</source>
+        <translation>%1 には複数の名称があります: %2</translation>
+    </message>
+    <message>
+        <source>%1 is used and its data were not entered: %2.</source>
+        <translation>%1 は使用されていますが、データが未入力です: %2</translation>
+    </message>
+    <message>
+        <source>%1 is named by no other job and no macro.</source>
+        <translation>%1 は他のジョブやマクロから参照されていません。</translation>
+    </message>
 </context>
 <context>
     <name>cellfiles::Sentences</name>
@@ -8561,6 +8621,46 @@ The robot can move from then on. Nobody may be inside the fence.</source>
     <message>
         <source>Another signal of the group changed meanwhile; nothing was sent.</source>
         <translation>その間にグループ内のほかの信号が変わりました。何も送信していません。</translation>
+    </message>
+    <message>
+        <source>not used in these files</source>
+        <translation>これらのファイルでは未使用</translation>
+    </message>
+    <message>
+        <source>a job that is known when the line runs</source>
+        <translation>行の実行時に決まるジョブ</translation>
+    </message>
+    <message>
+        <source>no file has it</source>
+        <translation>どのファイルにもありません</translation>
+    </message>
+    <message>
+        <source>Tells where variables, signals, registers, tools, frames, macros, alarms and jobs are used: in jobs, in the ladder, in files of names.</source>
+        <translation>変数、信号、レジスタ、ツール、座標、マクロ、アラーム、ジョブの使用箇所（ジョブ、ラダー、名称ファイル）を表示します。</translation>
+    </message>
+    <message>
+        <source>Say what to look for, such as B012, IN#(5) or a job.</source>
+        <translation>B012、IN#(5)、ジョブ名など、検索対象を指定してください。</translation>
+    </message>
+    <message>
+        <source>Tells which job calls, jumps to or starts which, line by line.</source>
+        <translation>どのジョブがどのジョブを呼出し、ジャンプ、起動するかを行ごとに表示します。</translation>
+    </message>
+    <message>
+        <source>Tells what is worth a look: jobs that nothing names, jobs that are missing, outputs with several writers, variables that are never written, tools that were not entered.</source>
+        <translation>確認すべき点を表示します: 参照されないジョブ、存在しないジョブ、複数箇所で書き込まれる出力、書き込まれない変数、未入力のツール。</translation>
+    </message>
+    <message>
+        <source>tell where variables, signals and jobs are used</source>
+        <translation>変数・信号・ジョブの使用箇所を表示</translation>
+    </message>
+    <message>
+        <source>tell which job calls which</source>
+        <translation>ジョブの呼出し関係を表示</translation>
+    </message>
+    <message>
+        <source>tell what in the files is worth a look</source>
+        <translation>ファイル内の確認すべき点を表示</translation>
     </message>
 </context>
 <context>

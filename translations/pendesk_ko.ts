@@ -1979,6 +1979,66 @@
         <source>%1 “%2” is now named “%3”.</source>
         <translation>%1 “%2”의 새 이름은 “%3”입니다.</translation>
     </message>
+    <message>
+        <source>written</source>
+        <translation>쓰기</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>읽기</translation>
+    </message>
+    <message>
+        <source>waited for</source>
+        <translation>대기</translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation>호출</translation>
+    </message>
+    <message>
+        <source>jumped to</source>
+        <translation>점프 대상</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>시작</translation>
+    </message>
+    <message>
+        <source>named</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>may be %1</source>
+        <translation>%1 가능성</translation>
+    </message>
+    <message>
+        <source>%1 line %2</source>
+        <translation>%1 %2행</translation>
+    </message>
+    <message>
+        <source>%1 is called, and no file has it: %2.</source>
+        <translation>%1이(가) 호출되지만 어느 파일에도 없습니다: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is written in several places: %2.</source>
+        <translation>%1은(는) 여러 곳에서 쓰입니다: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is read and never written in the files: %2.</source>
+        <translation>%1은(는) 읽히지만 파일에서 쓰이지 않습니다: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has several names: %2.</source>
+        <translation>%1에 이름이 여러 개 있습니다: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is used and its data were not entered: %2.</source>
+        <translation>%1이(가) 사용되지만 데이터가 입력되지 않았습니다: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is named by no other job and no macro.</source>
+        <translation>다른 작업이나 매크로에서 %1을(를) 참조하지 않습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cellfiles::Sentences</name>
@@ -8561,6 +8621,46 @@ The robot can move from then on. Nobody may be inside the fence.</source>
     <message>
         <source>Another signal of the group changed meanwhile; nothing was sent.</source>
         <translation>그사이 그룹의 다른 신호가 변경되어 아무것도 송신하지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>not used in these files</source>
+        <translation>이 파일들에서 사용되지 않음</translation>
+    </message>
+    <message>
+        <source>a job that is known when the line runs</source>
+        <translation>행 실행 시 정해지는 작업</translation>
+    </message>
+    <message>
+        <source>no file has it</source>
+        <translation>어느 파일에도 없음</translation>
+    </message>
+    <message>
+        <source>Tells where variables, signals, registers, tools, frames, macros, alarms and jobs are used: in jobs, in the ladder, in files of names.</source>
+        <translation>변수, 신호, 레지스터, 툴, 좌표계, 매크로, 알람, 작업이 사용되는 곳을 알려 줍니다: 작업, 래더, 이름 파일.</translation>
+    </message>
+    <message>
+        <source>Say what to look for, such as B012, IN#(5) or a job.</source>
+        <translation>B012, IN#(5) 또는 작업처럼 찾을 대상을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>Tells which job calls, jumps to or starts which, line by line.</source>
+        <translation>어느 작업이 어느 작업을 호출, 점프, 시작하는지 행별로 알려 줍니다.</translation>
+    </message>
+    <message>
+        <source>Tells what is worth a look: jobs that nothing names, jobs that are missing, outputs with several writers, variables that are never written, tools that were not entered.</source>
+        <translation>살펴볼 점을 알려 줍니다: 참조되지 않는 작업, 없는 작업, 여러 곳에서 쓰는 출력, 쓰이지 않는 변수, 입력되지 않은 툴.</translation>
+    </message>
+    <message>
+        <source>tell where variables, signals and jobs are used</source>
+        <translation>변수, 신호, 작업의 사용 위치 표시</translation>
+    </message>
+    <message>
+        <source>tell which job calls which</source>
+        <translation>작업 간 호출 관계 표시</translation>
+    </message>
+    <message>
+        <source>tell what in the files is worth a look</source>
+        <translation>파일에서 살펴볼 점 표시</translation>
     </message>
 </context>
 <context>

@@ -1979,6 +1979,66 @@
         <source>%1 “%2” is now named “%3”.</source>
         <translation>%1“%2”现在的名称为“%3”。</translation>
     </message>
+    <message>
+        <source>written</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>waited for</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation>调用</translation>
+    </message>
+    <message>
+        <source>jumped to</source>
+        <translation>跳转到</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>named</source>
+        <translation>命名</translation>
+    </message>
+    <message>
+        <source>may be %1</source>
+        <translation>可能%1</translation>
+    </message>
+    <message>
+        <source>%1 line %2</source>
+        <translation>%1 第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1 is called, and no file has it: %2.</source>
+        <translation>%1 被调用，但没有任何文件包含它：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is written in several places: %2.</source>
+        <translation>%1 在多处被写入：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is read and never written in the files: %2.</source>
+        <translation>%1 被读取，但文件中从未写入：%2。</translation>
+    </message>
+    <message>
+        <source>%1 has several names: %2.</source>
+        <translation>%1 有多个名称：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is used and its data were not entered: %2.</source>
+        <translation>%1 被使用，但其数据未输入：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is named by no other job and no macro.</source>
+        <translation>没有其他程序或宏引用 %1。</translation>
+    </message>
 </context>
 <context>
     <name>cellfiles::Sentences</name>
@@ -8561,6 +8621,46 @@ The robot can move from then on. Nobody may be inside the fence.</source>
     <message>
         <source>Another signal of the group changed meanwhile; nothing was sent.</source>
         <translation>其间该组的另一个信号已改变；未发送任何内容。</translation>
+    </message>
+    <message>
+        <source>not used in these files</source>
+        <translation>在这些文件中未使用</translation>
+    </message>
+    <message>
+        <source>a job that is known when the line runs</source>
+        <translation>执行该行时才确定的程序</translation>
+    </message>
+    <message>
+        <source>no file has it</source>
+        <translation>没有文件包含它</translation>
+    </message>
+    <message>
+        <source>Tells where variables, signals, registers, tools, frames, macros, alarms and jobs are used: in jobs, in the ladder, in files of names.</source>
+        <translation>说明变量、信号、寄存器、工具、坐标系、宏、报警和程序的使用位置：程序、梯形图和名称文件中。</translation>
+    </message>
+    <message>
+        <source>Say what to look for, such as B012, IN#(5) or a job.</source>
+        <translation>请指定要查找的内容，例如 B012、IN#(5) 或程序名。</translation>
+    </message>
+    <message>
+        <source>Tells which job calls, jumps to or starts which, line by line.</source>
+        <translation>逐行说明哪个程序调用、跳转到或启动哪个程序。</translation>
+    </message>
+    <message>
+        <source>Tells what is worth a look: jobs that nothing names, jobs that are missing, outputs with several writers, variables that are never written, tools that were not entered.</source>
+        <translation>说明值得查看之处：无人引用的程序、缺失的程序、多处写入的输出、从未写入的变量、未输入的工具。</translation>
+    </message>
+    <message>
+        <source>tell where variables, signals and jobs are used</source>
+        <translation>说明变量、信号和程序的使用位置</translation>
+    </message>
+    <message>
+        <source>tell which job calls which</source>
+        <translation>说明程序之间的调用关系</translation>
+    </message>
+    <message>
+        <source>tell what in the files is worth a look</source>
+        <translation>说明文件中值得查看之处</translation>
     </message>
 </context>
 <context>

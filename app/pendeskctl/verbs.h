@@ -20,6 +20,9 @@ int runBackup(const QStringList &arguments);
 int runCheck(const QStringList &arguments);
 int runVerify(const QStringList &arguments);
 int runShow(const QStringList &arguments);
+int runXref(const QStringList &arguments);
+int runCalls(const QStringList &arguments);
+int runUnused(const QStringList &arguments);
 int runCompare(const QStringList &arguments);
 int runRestore(const QStringList &arguments);
 

@@ -110,6 +110,7 @@ private Q_SLOTS:
     void backsUpAndRestores();
     void refusesAnotherRobot();
     void showsAndComparesInWords();
+    void tellsWhereThingsAreUsed();
     void saysWhatCannotBeShown();
     void countsWordsWithoutAController();
     void readsForeignText();
@@ -449,6 +450,32 @@ void TestPendeskctl::refusesAnotherRobot()
     // One job that an engineer names may be sent.
     QCOMPARE(terminal.run(QStringLiteral("restore --yes %1 HOME.JBI").arg(bag)).code, 0);
     QVERIFY(files["HOME.JBI"].contains("VJ=10.00"));
+}
+
+/// The expectations stand in the list that came with the sample jobs.
+void TestPendeskctl::tellsWhereThingsAreUsed()
+{
+    Terminal terminal;
+    const QString jobs = QStringLiteral(PENDESK_TEST_DATA "/jobs");
+    const Ended uses = terminal.run(QStringLiteral("xref %1 B003 OT#(24) RELUSER2 B088").arg(jobs), false);
+    QCOMPARE(uses.code, 0);
+    QVERIFY2(uses.out.contains("RELUSER line 8") && uses.out.contains("MAIN-FLOW line 2"), uses.out);
+    QVERIFY2(uses.out.contains("CALL JOB:RELUSER2 UF#(4) IF B003>=2"), uses.out);
+    const QJsonObject inJson = json(terminal.run(QStringLiteral("xref %1 OT#(24) --json").arg(jobs), false)).object();
+    const QJsonObject use = inJson[u"OT#(24)"].toArray().first().toObject();
+    QCOMPARE(use[u"how"].toString(), QStringLiteral("writes"));
+    QCOMPARE(use[u"name"].toString(), QStringLiteral("MAIN-FLOW"));
+    QCOMPARE(use[u"line"].toInt(), 2);
+    QCOMPARE(use[u"through"].toString(), QStringLiteral("OG#(3)"));
+    const Ended calls = terminal.run(QStringLiteral("calls %1").arg(jobs), false);
+    QVERIFY2(calls.out.contains("MAIN-FLOW line 15  PULSE6\n"), calls.out);
+    const QJsonArray tree = json(terminal.run(QStringLiteral("calls %1 --json").arg(jobs), false)).array();
+    const auto isMissing = [](const QJsonValue &call) { return call[u"missing"].toBool(); };
+    QCOMPARE(std::count_if(tree.begin(), tree.end(), isMissing), 1); // RELUSER2
+    const Ended unused = terminal.run(QStringLiteral("unused %1").arg(jobs), false);
+    QVERIFY2(unused.out.contains("RELUSER2"), unused.out);
+    QCOMPARE(terminal.run(QStringLiteral("xref %1").arg(jobs), false).code, 2);
+    QCOMPARE(terminal.run(QStringLiteral("calls %1/none").arg(jobs), false).code, 5);
 }
 
 void TestPendeskctl::showsAndComparesInWords()
