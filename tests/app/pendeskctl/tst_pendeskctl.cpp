@@ -462,11 +462,13 @@ void TestPendeskctl::tellsWhereThingsAreUsed()
     QVERIFY2(uses.out.contains("RELUSER line 8") && uses.out.contains("MAIN-FLOW line 2"), uses.out);
     QVERIFY2(uses.out.contains("CALL JOB:RELUSER2 UF#(4) IF B003>=2"), uses.out);
     const QJsonObject inJson = json(terminal.run(QStringLiteral("xref %1 OT#(24) --json").arg(jobs), false)).object();
-    const QJsonObject use = inJson[u"OT#(24)"].toArray().first().toObject();
-    QCOMPARE(use[u"how"].toString(), QStringLiteral("writes"));
-    QCOMPARE(use[u"name"].toString(), QStringLiteral("MAIN-FLOW"));
-    QCOMPARE(use[u"line"].toInt(), 2);
-    QCOMPARE(use[u"through"].toString(), QStringLiteral("OG#(3)"));
+    const QJsonArray ofOutput = inJson[u"OT#(24)"].toArray();
+    const auto use = std::find_if(ofOutput.begin(), ofOutput.end(),
+        [](const QJsonValue &each) { return each[u"name"].toString() == u"MAIN-FLOW"; });
+    QVERIFY(use != ofOutput.end());
+    QCOMPARE((*use)[u"how"].toString(), QStringLiteral("writes"));
+    QCOMPARE((*use)[u"line"].toInt(), 2);
+    QCOMPARE((*use)[u"through"].toString(), QStringLiteral("OG#(3)"));
     const Ended calls = terminal.run(QStringLiteral("calls %1").arg(jobs), false);
     QVERIFY2(calls.out.contains("MAIN-FLOW line 15  PULSE6\n"), calls.out);
     const QJsonArray tree = json(terminal.run(QStringLiteral("calls %1 --json").arg(jobs), false)).array();
