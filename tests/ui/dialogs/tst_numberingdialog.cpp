@@ -31,6 +31,8 @@ void TestNumberingDialog::comparesWithThePendant()
     settings::Profile profile = room.harness.profile();
     room.harness.store.save(profile);
     QVERIFY(room.open(profile));
+    QTRY_VERIFY(room.dialog("readinessSheet")); // a real controller, for the first time
+    room.dialog("readinessSheet")->close();
     room.click("numberingButton");
     QDialog *dialog = room.dialog("numberingDialog");
     QVERIFY(dialog);

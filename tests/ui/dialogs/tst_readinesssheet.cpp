@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/harness.h"
 #include "ui/widgets/question.h"
+#include "ui/widgets/sheetlayer.h"
 
 #include "ui/dialogs/readinesssheet.h"
 #include "ui/readinesswords.h"
@@ -38,7 +39,13 @@ struct Desk {
         harness.window.actions().action(ui::ActionId::Readiness)->trigger();
         return sheet() && QTest::qWaitForWindowExposed(sheet());
     }
-    [[nodiscard]] ReadinessSheet *sheet() const { return harness.window.findChild<ReadinessSheet *>(); }
+    /// Over the page; one that is asked for while it lies there is deleted without having been shown.
+    [[nodiscard]] ReadinessSheet *sheet() const
+    {
+        const auto open = widgets::SheetLayer::of(harness.window.view().window())->sheets();
+        const auto found = std::ranges::find_if(open, [](auto *one) { return qobject_cast<ReadinessSheet *>(one); });
+        return found == open.end() ? nullptr : qobject_cast<ReadinessSheet *>(*found);
+    }
     [[nodiscard]] widgets::ValueLabel *allowance(const char *subject) const
     {
         return sheet()->findChild<widgets::ValueLabel *>(QLatin1String(subject) + QStringLiteral("Allowance"));
@@ -158,8 +165,11 @@ void TestReadinessSheet::opensOnRequest()
     QTRY_VERIFY(desk.sheet());
     QVERIFY(QTest::qWaitForWindowActive(desk.sheet()));
     QVERIFY(desk.sheet()->windowTitle().contains(QStringLiteral("CELL 4 · Weld")));
+    const ReadinessSheet *first = desk.sheet();
     QVERIFY(desk.open()); // no second one
-    QCOMPARE(desk.harness.window.findChildren<ReadinessSheet *>().size(), 1);
+    QCOMPARE(widgets::SheetLayer::of(&desk.harness.window)->sheets(), QList<widgets::DialogSheet *> {desk.sheet()});
+    QCOMPARE(desk.sheet(), first);
+    QTRY_COMPARE(desk.harness.window.findChildren<ReadinessSheet *>().size(), 1);
 }
 
 void TestReadinessSheet::followsTheState()

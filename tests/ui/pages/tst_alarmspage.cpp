@@ -414,7 +414,7 @@ private Q_SLOTS:
         QVERIFY(folder.mkdir(QStringLiteral("journal.sqlite"))); // no file can be made there
         desk.raise(4107, "OVERRUN");
         QTRY_COMPARE(desk.active()->rowCount(), 1); // work goes on
-        const auto *bar = desk.find<widgets::MessageBar>("journalNotice");
+        const auto *bar = desk.window.findChild<widgets::MessageBar *>(QStringLiteral("journalNotice"));
         QTRY_VERIFY(bar->isVisible());
         QVERIFY(bar->message().text.startsWith(u"The journal cannot be written: "));
         QVERIFY(folder.rmdir(QStringLiteral("journal.sqlite")));

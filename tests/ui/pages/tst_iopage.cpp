@@ -20,6 +20,8 @@ struct Lamps : Room {
     [[nodiscard]] QTabBar *tabs() const { return find<QTabBar>("tabs"); }
     [[nodiscard]] models::IoModel *model() const { return qobject_cast<models::IoModel *>(table()->model()); }
     [[nodiscard]] models::Lamp lamp(int row, int column) const { return model()->lamp(model()->index(row, column)); }
+    /// Of the station: what is watched goes on without the page.
+    [[nodiscard]] robot::SignalWatch &watch() const { return harness.window.view().station()->watch; }
     [[nodiscard]] QString current() const { return toString(model()->signalAt(table()->currentIndex())); }
     [[nodiscard]] QString go(const char *words) const
     {
@@ -201,14 +203,13 @@ void TestIoPage::watchesSignals()
 {
     Lamps room;
     QVERIFY(room.open());
-    auto *watch = room.page->findChild<robot::SignalWatch *>();
-    QVERIFY(watch);
-    watch->add({2701, 0});
+    robot::SignalWatch &watch = room.watch();
+    watch.add({2701, 0});
     room.tabs()->setCurrentIndex(12);
     QVERIFY(room.page->topics().contains(robot::TopicRange(robot::Topic {robot::Kind::IoGroup, 2701})));
     auto *table = room.find<widgets::Table>("watchTable");
     const auto rises = [&] { return table->model()->index(0, models::WatchModel::Rises).data().toString(); };
-    QTRY_VERIFY(watch->traces().first().spans.back().isOn);
+    QTRY_VERIFY(watch.traces().first().spans.back().isOn);
     room.memory().io[2701] = 1;
     QTRY_COMPARE(rises(), QStringLiteral("1"));
     QTest::mouseClick(room.find<QPushButton>("resetCounters"), Qt::LeftButton);
@@ -236,13 +237,13 @@ void TestIoPage::pictures()
     room.harness.window.resize(1024, 768);
     room.picture(QStringLiteral("io-network-1024"));
     room.harness.window.resize(1440, 900);
-    auto *watch = room.page->findChild<robot::SignalWatch *>();
+    robot::SignalWatch &watch = room.watch();
     for (int bit = 0; bit < 3; ++bit)
-        watch->add({2701, bit});
+        watch.add({2701, bit});
     room.tabs()->setCurrentIndex(12);
     for (const int bits : {0, 3, 5, 2, 7}) {
         room.memory().io[2701] = quint8(bits);
-        QTRY_COMPARE(int(watch->traces()[0].spans.back().isOn.value_or(false)), bits & 1);
+        QTRY_COMPARE(int(watch.traces()[0].spans.back().isOn.value_or(false)), bits & 1);
         QVERIFY(room.statusIsRead(3)); // so long each state is in the picture
     }
     room.picture(QStringLiteral("io-watch"));

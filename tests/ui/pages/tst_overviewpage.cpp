@@ -11,6 +11,7 @@
 #include "ui/actioncatalog.h"
 #include "ui/robotstrip.h"
 #include "ui/widgets/board.h"
+#include "ui/widgets/line.h"
 #include "ui/widgets/valuelabel.h"
 #include <QAbstractButton>
 #include <QApplication>
@@ -234,10 +235,10 @@ void TestOverviewPage::refusedSaysWhy()
     QCOMPARE(desk.word("base1"), QStringLiteral("—"));
     QVERIFY(desk.value("base1")->toolTip().startsWith(QStringLiteral("Refused: 0xA001")));
     QCOMPARE(desk.word("mode"), QStringLiteral("REMOTE PLAY"));
-    const auto labels = desk.page.findChildren<QLabel *>();
-    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel *label) {
-        return !qobject_cast<const ValueLabel *>(label) && label->text().startsWith(QStringLiteral("Refused: 0xA001"));
-    }));
+    QVERIFY(std::ranges::any_of(
+        desk.page.findChildren<widgets::Line *>(QStringLiteral("reason")), [](const widgets::Line *line) {
+            return line->shown().word.text.startsWith(QStringLiteral("Refused: 0xA001"));
+        }));
 }
 
 void TestOverviewPage::contradictoryBitsAreShownAsReceived()
