@@ -116,9 +116,10 @@ private:
     }
 
     [[nodiscard]] virtualcontroller::Memory &memory() const { return m_harness.server->memory(); }
+    /// Those of the strips: HOLD ALL speaks of stations, not of one controller's bits.
     [[nodiscard]] QList<widgets::HoldButton *> holds() const
     {
-        return m_harness.window.findChildren<widgets::HoldButton *>();
+        return m_harness.window.findChildren<widgets::HoldButton *>(QStringLiteral("holdButton"));
     }
 
     /// A strip that says what neither the bits nor the order say.
