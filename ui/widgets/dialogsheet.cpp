@@ -21,6 +21,8 @@ void DialogSheet::setVisible(bool isVisible)
         setEnabled(true);
     }
     QDialog::setVisible(isVisible);
+    if (isVisible && !isWindow())
+        keepDefault();
 }
 
 bool DialogSheet::isOpenAlready() const
@@ -37,6 +39,15 @@ void DialogSheet::enter()
     SheetLayer *layer = SheetLayer::of(m_owner->window());
     connect(m_owner, &QObject::destroyed, this, [this] { delete this; });
     layer->take(this);
+}
+
+/// Qt forgets which button is the default one when the focus leaves it, unless the dialog is a window.
+void DialogSheet::keepDefault()
+{
+    for (auto *button : findChildren<QPushButton *>()) {
+        if (button->isDefault())
+            button->setAutoDefault(false);
+    }
 }
 
 void DialogSheet::done(int result)

@@ -33,6 +33,7 @@ public:
 private:
     [[nodiscard]] bool isOpenAlready() const;
     void enter();
+    void keepDefault();
 
     QPointer<QWidget> m_owner;
     bool m_isAnswered = false;

@@ -29,6 +29,7 @@ struct Window : QWidget {
     Window() : hold {new HoldButton(this)}, page {new QPushButton(this)}, other {new QPushButton(this)}
     {
         resize(1024, 768);
+        hold->setObjectName(QStringLiteral("holdButton"));
         hold->move(800, 10);
         hold->resize(hold->sizeHint());
         page->setGeometry(0, strip, 1024, 300);
