@@ -18,9 +18,9 @@ class Harness
 {
 public:
     Harness()
-        : file {folder.filePath(QStringLiteral("settings.json"))},
-          store {file},
-          window {fleet, [this] { return startController(); }}
+        : file {folder.filePath(QStringLiteral("settings.json"))}, store {file}, window {fleet, [this] {
+                                                                                             return startController();
+                                                                                         }}
     {
         window.resize(1440, 900); // the screen that is not there is smaller
     }
@@ -86,7 +86,8 @@ public:
     }
     [[nodiscard]] widgets::ValueLabel *value(const char *name) const
     {
-        return window.view().findChild<widgets::ValueLabel *>(QLatin1String(name));
+        auto *found = window.view().findChild<widgets::ValueLabel *>(QLatin1String(name));
+        return found ? found : window.findChild<widgets::ValueLabel *>(QLatin1String(name)); // in a sheet
     }
     [[nodiscard]] QString word(const char *name) const { return value(name) ? value(name)->text() : QString(); }
     [[nodiscard]] widgets::MessageBar *bar() const

@@ -73,7 +73,15 @@ public:
     }
     void click(const char *name) const { QTest::mouseClick(find(name), Qt::LeftButton); }
     [[nodiscard]] QString text(const char *name) const { return find<QLabel>(name)->text(); }
-    [[nodiscard]] QDialog *sheet() const { return find<QDialog>("startSheet"); }
+    /// That is open; one that was answered goes a little later.
+    [[nodiscard]] QDialog *sheet() const
+    {
+        for (auto *one : window.findChildren<QDialog *>(QStringLiteral("startSheet"))) {
+            if (one->isVisible())
+                return one;
+        }
+        return nullptr;
+    }
 
     /// Three boxes, and the button for a second.
     [[nodiscard]] bool arm() const

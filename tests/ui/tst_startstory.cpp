@@ -230,7 +230,7 @@ void TestStartStory::aLostReplyEndsInTheTruth()
     QVERIFY(harness.openSheet());
     harness.server->setFaults(Faults {{{.command = startCommand, .direction = Direction(direction)}}});
     harness.click("sheetStart");
-    const QString truth = runs ? QStringLiteral("the status says RUN") : QStringLiteral("the status says no RUN");
+    const QString truth = runs ? QStringLiteral("afterwards said RUN") : QStringLiteral("afterwards said no RUN");
     QTRY_VERIFY(harness.text("sheetPhase").contains(truth));
     QVERIFY(!harness.text("sheetPhase").contains(QStringLiteral("fail")));
     QCOMPARE(harness.server->arrived(startCommand), 1);
