@@ -13,6 +13,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace ui {
 
@@ -38,11 +39,12 @@ constexpr StripCell fields[] {
     {"stripRun", QT_TRANSLATE_NOOP("ui::RobotStrip", "Run"), runWord, 128},
     {"stripHold", QT_TRANSLATE_NOOP("ui::RobotStrip", "Hold"), holdWord, 100},
     {"stripAlarm", QT_TRANSLATE_NOOP("ui::RobotStrip", "Alarm"), alarmWord, 0},
-    {"stripError", QT_TRANSLATE_NOOP("ui::RobotStrip", "Error"), errorWord, 80},
+    {"stripError", QT_TRANSLATE_NOOP("ui::RobotStrip", "Error"), errorWord, 86},
 };
 
 constexpr int linkWidth = 104;
 constexpr int cellMargin = 9;
+constexpr int mostSeconds = 99; ///< That HOLD counts before its words would need more room.
 constexpr int leftMargin = space::page - 4;
 
 /// The cells that share what a window has. Their widths follow from the window alone, never from the words in them.
@@ -53,7 +55,7 @@ struct Shares {
     int job;
     int hold;
 };
-constexpr Shares shares[] {{1366, 180, 196, 174, 150}, {1440, 190, 224, 210, 150}, {1920, 240, 444, 390, 180}};
+constexpr Shares shares[] {{1366, 180, 190, 174, 150}, {1440, 190, 218, 210, 150}, {1920, 240, 438, 390, 180}};
 constexpr int leastWindow = 1024;
 constexpr int leastWithLink = 1088;
 
@@ -118,7 +120,7 @@ QStringList captions()
 {
     QStringList result;
     for (int word = 0; word <= int(HoldWord::Released); ++word)
-        result << holdCaption({HoldWord(word)});
+        result << holdCaption({HoldWord(word), mostSeconds});
     return result;
 }
 
@@ -250,7 +252,9 @@ QSize RobotStrip::minimumSizeHint() const { return {leastWindow, space::strip}; 
 
 void RobotStrip::resizeEvent(QResizeEvent *event)
 {
-    const Shares now = sharesOf(width());
+    Shares now = sharesOf(width());
+    const int words = std::max(now.hold, m_hold->sizeHint().width()); // under HOLD none is cut off
+    now.alarm -= words - std::exchange(now.hold, words);
     m_name->setFixedWidth(now.name);
     m_statusFields[alarmField]->setFixedWidth(now.alarm);
     m_job->setFixedWidth(now.job);
