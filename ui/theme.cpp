@@ -199,6 +199,7 @@ QPushButton[link="true"] { background: transparent; border: 1px solid transparen
 QPushButton[link="true"]:hover, QPushButton[link="true"]:focus { border-color: %8; }
 QPushButton[segment="true"] { border-radius: 0; padding: 5px 8px; }
 QPushButton[segment="true"]:checked { background: %5; color: %4; font-weight: 600; border-color: %4; }
+QPushButton[jog="true"] { padding: 5px 4px; }
 QPushButton[rail="true"] { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 5px 8px;
     text-align: left; }
 QPushButton[rail="true"]:hover, QPushButton[rail="true"]:focus { border-color: %2; }
@@ -218,6 +219,8 @@ QTabBar::tab:selected { color: %4; border-bottom-color: %4; }
 QTabBar::tab:focus { background: %5; }
 QAbstractItemView { border: 1px solid transparent; }
 QAbstractItemView:focus { border-color: %4; }
+QScrollArea[reads="true"] { border: 1px solid transparent; }
+QScrollArea[reads="true"]:focus { border-color: %4; }
 QTableView QTableCornerButton::section { background: transparent; border: none; }
 )")
                .arg(name(Role::Raised), name(Role::Border), name(Role::Text2), name(Role::Accent),

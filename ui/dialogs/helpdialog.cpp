@@ -51,6 +51,7 @@ HelpDialog::HelpDialog(int page, QWidget *parent)
     m_search->setClearButtonEnabled(true);
     m_nothing->setObjectName(QStringLiteral("helpNothing"));
     m_scroll->setObjectName(QStringLiteral("helpScroll"));
+    m_scroll->setProperty("reads", true);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);

@@ -73,6 +73,7 @@ QWidget *ReadinessSheet::makeRows()
     auto *scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("readinessRows"));
     scroll->setAccessibleName(tr("Readiness"));
+    scroll->setProperty("reads", true);
     scroll->setWidget(sheet);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -20,6 +20,7 @@ WhyNotDialog::WhyNotDialog(robot::Orders &orders, robot::Act act, QWidget *paren
     auto *scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("conditions"));
     scroll->setAccessibleName(tr("Conditions"));
+    scroll->setProperty("reads", true);
     scroll->setWidget(new widgets::ConditionList(orders, act));
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

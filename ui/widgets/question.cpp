@@ -28,6 +28,7 @@ QWidget *room(QLabel *label)
     if (label->heightForWidth(leastWidth) <= tallText)
         return label;
     auto *scroll = new QScrollArea;
+    scroll->setProperty("reads", true);
     scroll->setWidget(label);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
