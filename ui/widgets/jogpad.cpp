@@ -23,6 +23,7 @@ JogButton::JogButton(const QString &text, QWidget *parent) : QPushButton(text, p
 {
     setAutoDefault(false);
     setAutoRepeat(false);
+    setProperty("jog", true);
     setMinimumSize(padSide, padSide);
     setFocusPolicy(Qt::StrongFocus);
 }
