@@ -113,10 +113,9 @@ QWidget *FleetPage::head()
     connect(connectButton, &QPushButton::clicked, this, &FleetPage::connectAll);
     connect(backUpButton, &QPushButton::clicked, this, &FleetPage::backUpAll);
     auto *result = new QWidget;
-    auto *row = new QHBoxLayout(result);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(ui::space::gap);
-    row->addWidget(m_counts, 1);
+    auto *row = new widgets::Flow(result);
+    row->addWidget(m_counts);
+    row->addStretch();
     row->addWidget(connectButton);
     row->addWidget(backUpButton);
     row->addWidget(m_hold);
