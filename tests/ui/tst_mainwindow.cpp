@@ -240,7 +240,7 @@ void TestMainWindow::everythingHasAName()
     }
     const auto values = harness.window.view().findChildren<widgets::ValueLabel *>();
     for (const widgets::ValueLabel *value : values) {
-        QVERIFY(!value->objectName().isEmpty());
+        QVERIFY2(!value->objectName().isEmpty(), qPrintable(value->accessibleName()));
         QVERIFY2(!value->accessibleName().isEmpty(), qPrintable(value->objectName()));
     }
 }
