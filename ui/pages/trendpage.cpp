@@ -332,15 +332,7 @@ void TrendPage::backToLive()
     setTracks();
 }
 
-void TrendPage::pick()
-{
-    auto *picker = findChild<dialogs::SignalPicker *>();
-    if (!picker)
-        picker = new dialogs::SignalPicker(m_recorder, m_profile.dialect(), this);
-    picker->show();
-    picker->raise();
-    picker->activateWindow();
-}
+void TrendPage::pick() { (new dialogs::SignalPicker(m_recorder, m_profile.dialect(), this))->show(); }
 
 void TrendPage::removeSelected()
 {

@@ -51,7 +51,7 @@ struct Desk : Harness {
     }
     template <typename Widget> [[nodiscard]] Widget *find(const char *name) const
     {
-        return window.view().findChild<Widget *>(QLatin1String(name));
+        return window.findChild<Widget *>(QLatin1String(name));
     }
     [[nodiscard]] TrendPage *page() const { return find<TrendPage>("trendPage"); }
     [[nodiscard]] trend::Recorder &recorder() const { return window.view().recorder(); }
