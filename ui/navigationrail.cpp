@@ -8,6 +8,7 @@
 #include "ui/widgets/scrollcolumn.h"
 #include "ui/widgets/text.h"
 #include <QButtonGroup>
+#include <QFocusEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
@@ -105,7 +106,6 @@ void NavigationRail::addPages(QVBoxLayout *column)
         m_pages->addButton(button, row++);
         column->addWidget(button);
     }
-    setFocusProxy(m_pages->button(0));
     connect(m_pages, &QButtonGroup::idClicked, this, &NavigationRail::pageChosen);
 }
 
@@ -128,6 +128,9 @@ void NavigationRail::addActions(QVBoxLayout *column, const Actions &actions)
 void NavigationRail::showPage(int row) { m_pages->button(row)->setChecked(true); }
 
 void NavigationRail::showBackup(const widgets::Word &age) { m_stations->showBackup(age); }
+
+/// Not a focus proxy: Tab would go from before the rail to the proxy, past the controllers above the pages.
+void NavigationRail::focusInEvent(QFocusEvent *event) { m_pages->button(0)->setFocus(event->reason()); }
 
 void NavigationRail::paintEvent(QPaintEvent *)
 {

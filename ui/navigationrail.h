@@ -45,6 +45,7 @@ Q_SIGNALS:
     void pageChosen(int row);
 
 protected:
+    void focusInEvent(QFocusEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
 
 private:
