@@ -4,6 +4,7 @@
 #include "ui/pages/page.h"
 
 #include "ui/widgets/holdbutton.h"
+#include "ui/widgets/line.h"
 #include <QAbstractButton>
 #include <QDialog>
 #include <QLineEdit>
@@ -240,6 +241,8 @@ void TestMainWindow::everythingHasAName()
     }
     const auto values = harness.window.view().findChildren<widgets::ValueLabel *>();
     for (const widgets::ValueLabel *value : values) {
+        if (qobject_cast<const widgets::Line *>(value)) // a caption or a sentence
+            continue;
         QVERIFY2(!value->objectName().isEmpty(), qPrintable(value->accessibleName()));
         QVERIFY2(!value->accessibleName().isEmpty(), qPrintable(value->objectName()));
     }
