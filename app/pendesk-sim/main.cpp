@@ -77,14 +77,14 @@ int main(int argc, char *argv[])
         std::fputs(qPrintable(options->ended), stdout);
         return Done;
     }
+    const auto servers = startAll(*options);
+    if (!servers)
+        return complain(servers.error());
     if (!QHostAddress {options->server.address}.isLoopback())
         std::fprintf(stderr,
             "pendesk-sim: Warning: %s can be reached from other computers. Whoever finds this virtual controller can "
             "use it; it knows no password, as a real one.\n",
             qPrintable(options->server.address));
-    const auto servers = startAll(*options);
-    if (!servers)
-        return complain(servers.error());
     QTimer look;
     endOnSignals(look);
     std::printf("pendesk-sim: %s ready on %s\n", options->memory.dialect.name,
