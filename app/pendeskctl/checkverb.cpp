@@ -50,16 +50,16 @@ QString asText(const QString &path, const inform::Finding &finding, const protoc
 }
 
 /// What is found in one file; an error says why it cannot be read.
-values::Result<QList<inform::Finding>> findingsIn(const QString &path)
+values::Result<QList<inform::Finding>> findingsIn(const QString &path, const protocol::TextCodec &codec)
 {
     const auto content = files::readFile(path);
     if (!content)
         return tl::unexpected(content.error());
-    const auto name = files::fromLocalName(QFileInfo {path}.fileName());
-    if (!name)
-        return values::failure(values::ErrorKind::LocalFile,
-            tr("“%1” is no name that a controller takes.").arg(QFileInfo {path}.fileName()));
-    return files::preflight(*name, *content);
+    if (const auto name = files::fromLocalName(QFileInfo {path}.fileName()))
+        return files::preflight(*name, *content);
+    const QString base = QFileInfo {path}.completeBaseName();
+    const inform::Finding badName {inform::Fault::BadName, 0, -1, codec.encode(base).value_or(base.toUtf8())};
+    return QList {badName} << inform::check(inform::parse(*content));
 }
 
 } // namespace
@@ -85,7 +85,7 @@ int runCheck(const QStringList &arguments)
     QJsonArray json;
     for (const QString &word : call.words) {
         for (const QString &path : jobsAt(word)) {
-            const auto findings = findingsIn(path);
+            const auto findings = findingsIn(path, codec);
             if (!findings) {
                 complain(findings.error().detail);
                 exitCode = LocalFile;
