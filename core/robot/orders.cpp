@@ -61,11 +61,13 @@ Attempt::Attempt(
 
 bool Attempt::isSame(const Order &order) const
 {
-    return !m_isEnded && !m_isWithheld && m_record.action == QLatin1String(key(order.act))
+    return !m_isEnded && !m_withheld && m_record.action == QLatin1String(key(order.act))
         && m_record.subject == order.subject && m_record.newValue == order.newValue;
 }
 
-Attempt::~Attempt() { end(values::failure(ErrorKind::UnknownOutcome)); }
+Attempt::~Attempt() { abandon(); }
+
+void Attempt::abandon() { end(tl::unexpected(m_withheld.value_or(Error {ErrorKind::UnknownOutcome}))); }
 
 void Attempt::end(const Result<void> &result)
 {
@@ -103,7 +105,7 @@ Orders::Orders(Controller &controller, Access &access, Arming &arming, QObject *
 Orders::~Orders()
 {
     for (Attempt *attempt : findChildren<Attempt *>())
-        attempt->end(values::failure(ErrorKind::UnknownOutcome));
+        attempt->abandon(); // the program may end before the turn of the event loop that a withheld one waits for
     if (isArmed())
         m_arming.drop(Arming::Drop::Disconnected);
 }
@@ -154,9 +156,8 @@ Attempt *Orders::begin(const Order &order, QObject *context, OrderHandler handle
     const Result<void> permitted = permission(order);
     Attempt *attempt = this->attempt(order, context, std::move(handler));
     if (!permitted) {
-        attempt->m_isWithheld = true;
-        QMetaObject::invokeMethod(
-            attempt, [attempt, permitted] { attempt->end(permitted); }, Qt::QueuedConnection);
+        attempt->m_withheld = permitted.error();
+        QMetaObject::invokeMethod(attempt, &Attempt::abandon, Qt::QueuedConnection);
         return nullptr;
     }
     connect(

@@ -35,6 +35,8 @@ public:
 
     /// The first end counts. The attempt deletes itself.
     void end(const values::Result<void> &result);
+    /// Ends as what it is by now: withheld, or sent and not answered.
+    void abandon();
 
 Q_SIGNALS:
     void ended(const journal::OrderRecord &record);
@@ -51,7 +53,7 @@ private:
     Time m_begun = now();
     QPointer<QObject> m_context;
     OrderHandler m_handler;
-    bool m_isWithheld = false; ///< It ends with the next turn of the event loop and was never sent.
+    std::optional<values::Error> m_withheld; ///< Why it was never sent; it ends with the next turn of the event loop.
     bool m_isEnded = false;
 };
 
