@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "session/idpool.h"
 #include "session/policy.h"
 #include "session/transfer.h"
 #include "settings/profile.h"
@@ -16,7 +17,8 @@ namespace robot {
     policy.repeats = profile.readRepeats;
     policy.servoTimeout = profile.servoTimeout;
     policy.window = profile.window;
-    policy.requestsPerSecond = profile.requestsPerSecond;
+    // Even, and never in bursts: the status must not wait for ids to come free, or the link looks lost.
+    policy.requestsPerSecond = std::min(profile.requestsPerSecond, session::IdPool::lastingPace(policy.idLinger));
     return policy;
 }
 

@@ -19,6 +19,13 @@ public:
     /// So many ids are left to stops, which wait for nothing and must not take another's answer for theirs.
     static constexpr std::size_t keptForStops = 8;
 
+    /// So many requests a second can leave for ever, if an id rests for `linger`. Who asks faster stands still until
+    /// ids are free again.
+    [[nodiscard]] static constexpr int lastingPace(Milliseconds linger)
+    {
+        return int(Milliseconds {std::chrono::seconds {256 - keptForStops}} / linger);
+    }
+
     /// The first id should be random: a controller may still answer a program that ended a moment ago.
     explicit IdPool(quint8 first)
     {
