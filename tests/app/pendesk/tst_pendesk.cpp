@@ -79,8 +79,8 @@ void TestPendesk::demoWritesPictures()
     QVERIFY2(outcome.out.contains(QStringLiteral("Mode: REMOTE PLAY")), qPrintable(outcome.out));
     const QStringList files = QDir(pictures).entryList(QDir::Files, QDir::Name);
     QStringList expected;
-    for (const auto *page : {"alarms", "backup", "files", "io", "jobs", "journal", "motion", "overview", "position",
-             "registers", "trend", "variables"}) {
+    for (const auto *page : {"alarms", "backup", "files", "fleet", "io", "jobs", "journal", "motion", "overview",
+             "position", "registers", "trend", "variables"}) {
         for (const auto *state : {"live", "notconnected"}) {
             for (const auto *scheme : {"dark", "light"})
                 expected << QStringLiteral("%1-%2-%3.png")

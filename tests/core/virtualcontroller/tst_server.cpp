@@ -203,7 +203,8 @@ void ServerTest::servesFiles()
     client.send(server.filePort(), protocol::encode(list, {protocol::Division::File, false, 3, 0}));
     const auto reply = client.receive();
     QCOMPARE(reply.senderPort(), int(server.filePort()));
-    QCOMPARE(protocol::parseReply(reply.data())->payload, QByteArrayView("TOOL.CND\r\nUFRAME.CND\r\n"));
+    QCOMPARE(protocol::parseReply(reply.data())->payload,
+        QByteArrayView("CUBEINTF.CND\r\nSHOCKLVL.CND\r\nTOOL.CND\r\nUFRAME.CND\r\n"));
     QCOMPARE(server.arrivals().files.at(protocol::Service::ListFiles), 1);
 }
 
