@@ -53,7 +53,7 @@ constexpr Arrow arrows[] {
     {"ui/window", "ui/pages"},
     {"app/pendesk", "ui/window core/virtualcontroller"},
     {"app/pendeskctl", "core/station"},
-    {"app/pendesk-sim", "core/virtualcontroller"},
+    {"app/pendesk-sim", "core/virtualcontroller core/settings"},
 };
 
 /// Files that still stand in another folder than the one they belong to: without their ending, and that folder.
@@ -72,6 +72,7 @@ constexpr Stray strays[] {
     {"ui/language", "ui/look"},
     {"ui/linkview", "ui/look"},
     {"ui/orderwords", "ui/look"},
+    {"ui/plainstyle", "ui/look"},
     {"ui/readinesswords", "ui/look"},
     {"ui/theme", "ui/look"},
     {"ui/words", "ui/look"},
