@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "settings/notes.h"
 #include "ui/widgets/shown.h"
 #include <QDateTime>
@@ -32,7 +32,7 @@ private:
     settings::Notes m_notes;
     QTimer m_timer;
     bool m_isLooking = false;
-    files::Worker m_disk; ///< A folder in the network can keep one waiting.
+    disk::Worker m_disk; ///< A folder in the network can keep one waiting.
 };
 
 } // namespace ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "files/localname.h"
 #include "files/preflight.h"
 #include "options.h"
@@ -52,7 +52,7 @@ QString asText(const QString &path, const inform::Finding &finding, const protoc
 /// What is found in one file; an error says why it cannot be read.
 values::Result<QList<inform::Finding>> findingsIn(const QString &path, const protocol::TextCodec &codec)
 {
-    const auto content = files::readFile(path);
+    const auto content = disk::readFile(path);
     if (!content)
         return tl::unexpected(content.error());
     if (const auto name = files::fromLocalName(QFileInfo {path}.fileName()))

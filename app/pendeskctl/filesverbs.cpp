@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "files/localname.h"
 #include "files/preflight.h"
 #include "listing.h"
@@ -38,7 +38,7 @@ int get(const Call &call, const QStringList &words, const QString &folder)
 /// Tells what the pre-flight found; false if one of it stands against sending.
 bool passes(const FileName &name, const QString &path, const Call &call)
 {
-    const auto content = files::readFile(path);
+    const auto content = disk::readFile(path);
     if (!content) {
         complain(content.error().detail);
         return false;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/archive.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "values/utc.h"
 #include <QDir>
 #include <QRegularExpression>
@@ -134,7 +134,7 @@ void Archive::clearPartials() const
 
 QStringList Archive::pinned() const
 {
-    const auto text = readFile(m_folder + u'/' + pinnedName);
+    const auto text = disk::readFile(m_folder + u'/' + pinnedName);
     return text ? QString::fromUtf8(*text).split(u'\n', Qt::SkipEmptyParts) : QStringList {};
 }
 
@@ -145,7 +145,7 @@ Result<void> Archive::setPinned(const QString &id, bool isPinned) const
     if (isPinned)
         ids << id;
     ids.sort();
-    return replaceFile(m_folder + u'/' + pinnedName, (ids << QString {}).join(u'\n').toUtf8());
+    return disk::replaceFile(m_folder + u'/' + pinnedName, (ids << QString {}).join(u'\n').toUtf8());
 }
 
 QString Archive::lastGood(const QList<ArchiveEntry> &newestFirst) const

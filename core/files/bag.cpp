@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/bag.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include <QDir>
 
 using values::ErrorKind;
@@ -55,7 +55,7 @@ QString BagWriter::path() const { return partial(m_folder + u'/' + m_id); }
 Result<void> BagWriter::add(const FileName &name, const QByteArray &content)
 {
     const QString inside = QStringLiteral("data/") + m_names.take(name);
-    auto written = writeNew(path() + u'/' + inside, content);
+    auto written = disk::writeNew(path() + u'/' + inside, content);
     if (written) {
         m_manifest[inside.toUtf8()] = sha256(content);
         m_bytes += content.size();
@@ -66,7 +66,7 @@ Result<void> BagWriter::add(const FileName &name, const QByteArray &content)
 Result<void> BagWriter::addTag(Manifest &tags, const QString &name, const QByteArray &content)
 {
     tags[name.toUtf8()] = sha256(content);
-    return writeNew(path() + u'/' + name, content);
+    return disk::writeNew(path() + u'/' + name, content);
 }
 
 Result<void> BagWriter::writeTags(const BagInfo &info)
@@ -75,25 +75,25 @@ Result<void> BagWriter::writeTags(const BagInfo &info)
     return addTag(tags, declarationName, bagDeclaration())
         .and_then([&] { return addTag(tags, infoName, toText(info, m_bytes, int(m_manifest.size()))); })
         .and_then([&] { return addTag(tags, manifestName, toText(m_manifest)); })
-        .and_then([&] { return writeNew(path() + QStringLiteral("/tagmanifest-sha256.txt"), toText(tags)); });
+        .and_then([&] { return disk::writeNew(path() + QStringLiteral("/tagmanifest-sha256.txt"), toText(tags)); });
 }
 
 Result<QString> BagWriter::seal(const BagInfo &info)
 {
-    if (const auto written = writeTags(info).and_then([this] { return syncTree(path()); }); !written)
+    if (const auto written = writeTags(info).and_then([this] { return disk::syncTree(path()); }); !written)
         return tl::unexpected(written.error());
     QString target = m_folder + u'/' + m_id;
     if (!QDir {}.rename(path(), target))
         return local(QStringLiteral("%1: the folder cannot be renamed").arg(path()));
     m_isSealed = true;
-    return sync(m_folder).map([&] { return target; });
+    return disk::sync(m_folder).map([&] { return target; });
 }
 
 Result<Bag> Bag::open(const QString &path)
 {
-    const auto declaration = readFile(path + u'/' + declarationName);
-    const auto manifest = readFile(path + u'/' + manifestName).map(manifestFrom);
-    const auto info = readFile(path + u'/' + infoName);
+    const auto declaration = disk::readFile(path + u'/' + declarationName);
+    const auto manifest = disk::readFile(path + u'/' + manifestName).map(manifestFrom);
+    const auto info = disk::readFile(path + u'/' + infoName);
     if (!declaration || *declaration != bagDeclaration() || !manifest || !info)
         return local(QStringLiteral("%1: this is no backup").arg(path));
     if (!*manifest)
@@ -121,7 +121,7 @@ FileSet Bag::files() const
         const auto path = paths.find(name);
         if (path == paths.end())
             return local(QStringLiteral("%1 is not in the backup").arg(QString::fromLatin1(name.bytes())));
-        auto content = readFile(path->second);
+        auto content = disk::readFile(path->second);
         if (content && sha256(*content) != hashes.at(name))
             return local(QStringLiteral("%1 is not as it was written").arg(path->second));
         return content;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/folder.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "files/localname.h"
 #include <QDir>
 
@@ -41,7 +41,7 @@ Result<FileSet> folderFiles(const QString &path)
         bytes += file.size();
         if (bytes > mostFolderBytes)
             return values::failure(ErrorKind::LocalFile, QStringLiteral("%1: more than 256 MB").arg(path));
-        const auto content = name ? readFile(file.absoluteFilePath()) : Result<QByteArray> {QByteArray {}};
+        const auto content = name ? disk::readFile(file.absoluteFilePath()) : Result<QByteArray> {QByteArray {}};
         if (!content)
             return tl::unexpected(content.error());
         if (name)

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/task.h"
 
+#include "disk/durable.h"
 #include "files/bagtext.h"
 #include "files/compare.h"
-#include "files/durable.h"
 #include "files/localname.h"
 #include "protocol/codes.h"
 #include <QDir>
@@ -150,7 +150,7 @@ Download::Download(session::FileSession &session, const FileName &name, const QS
 void Download::run()
 {
     save([this](const Result<QByteArray> &content) {
-        finish(content.and_then([this](const QByteArray &bytes) { return replaceFile(localPath(), bytes); }));
+        finish(content.and_then([this](const QByteArray &bytes) { return disk::replaceFile(localPath(), bytes); }));
     });
 }
 
@@ -169,7 +169,7 @@ void Upload::run()
 {
     m_readBack = ReadBack::NotYet;
     if (!localPath().isEmpty()) {
-        auto content = readFile(localPath());
+        auto content = disk::readFile(localPath());
         if (!content)
             return finish(tl::unexpected(content.error()));
         m_content = *std::move(content);
@@ -232,7 +232,7 @@ Result<void> Removal::keep(const QByteArray &content)
     if (!QDir {}.mkpath(localPath()))
         return values::failure(ErrorKind::LocalFile, QStringLiteral("%1: the folder cannot be made").arg(localPath()));
     m_copy = freePath(localPath(), name());
-    return replaceFile(m_copy, content);
+    return disk::replaceFile(m_copy, content);
 }
 
 void Removal::removeIfKept(const Result<QByteArray> &content)

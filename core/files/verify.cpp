@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/bag.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include <QCoreApplication>
 #include <QDir>
 #include <QDirIterator>
@@ -36,7 +36,7 @@ private:
 
 Verification Verifier::run()
 {
-    if (readFile(m_path + QStringLiteral("/bagit.txt")) != bagDeclaration()) {
+    if (disk::readFile(m_path + QStringLiteral("/bagit.txt")) != bagDeclaration()) {
         add(FaultKind::NotABag, QStringLiteral("bagit.txt"));
         return m_result;
     }
@@ -50,7 +50,7 @@ Verification Verifier::run()
 
 std::optional<Manifest> Verifier::readManifest(const QString &name)
 {
-    const auto text = readFile(m_path + u'/' + name);
+    const auto text = disk::readFile(m_path + u'/' + name);
     auto manifest = text ? manifestFrom(*text) : std::nullopt;
     if (!manifest)
         add(text ? FaultKind::Malformed : FaultKind::NotABag, name);
@@ -70,7 +70,7 @@ void Verifier::checkFile(const QByteArray &inside, const QByteArray &hash)
     const QFileInfo file {m_path + u'/' + name};
     if (file.isSymLink())
         return add(FaultKind::Extra, name);
-    const auto content = readFile(file.filePath());
+    const auto content = disk::readFile(file.filePath());
     if (!content)
         return add(FaultKind::Missing, name);
     if (sha256(*content) != hash)

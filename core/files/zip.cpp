@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "files/zip.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
@@ -46,7 +46,7 @@ QStringList filesUnder(const QString &folder)
 
 Result<void> add(archive *zip, const QString &path, const QString &name)
 {
-    const auto content = readFile(path);
+    const auto content = disk::readFile(path);
     if (!content)
         return tl::unexpected(content.error());
     const Entry entry {archive_entry_new(), &archive_entry_free};
@@ -65,7 +65,7 @@ Result<void> add(archive *zip, const QString &path, const QString &name)
 
 namespace {
 
-Result<void> writeTo(QIODevice &file, const QString &folder, const QString &target, const IsWanted &isWanted)
+Result<void> writeTo(QIODevice &file, const QString &folder, const QString &target, const disk::IsWanted &isWanted)
 {
     const Writer zip {archive_write_new(), &archive_write_free};
     archive_write_set_format_zip(zip.get());
@@ -88,9 +88,9 @@ Result<void> writeTo(QIODevice &file, const QString &folder, const QString &targ
 
 } // namespace
 
-Result<void> writeZip(const QString &folder, const QString &target, const IsWanted &isWanted)
+Result<void> writeZip(const QString &folder, const QString &target, const disk::IsWanted &isWanted)
 {
-    return replaceFile(target, [&](QIODevice &file) { return writeTo(file, folder, target, isWanted); });
+    return disk::replaceFile(target, [&](QIODevice &file) { return writeTo(file, folder, target, isWanted); });
 }
 
 } // namespace files

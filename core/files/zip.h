@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "values/error.h"
 #include <QString>
 
@@ -12,6 +12,6 @@ namespace files {
 /// What stood at `target` is replaced by the whole file or stays as it was. LocalFile says which file and why.
 /// Links are left out. Cancelled as soon as `isWanted` says no, which is asked between two files.
 [[nodiscard]] values::Result<void> writeZip(
-    const QString &folder, const QString &target, const IsWanted &isWanted = {});
+    const QString &folder, const QString &target, const disk::IsWanted &isWanted = {});
 
 } // namespace files

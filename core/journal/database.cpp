@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/database.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "journal/queries.h"
 #include "journal/schema.h"
 #include <QCoreApplication>
@@ -128,7 +128,7 @@ Result<void> Database::connect()
 {
     const QString path = m_place.toLocalFile();
     const QDir folder = QFileInfo {path}.dir();
-    if (isFile() && m_use == Use::Writing && !folder.exists() && !files::makePrivateFolder(folder.path()))
+    if (isFile() && m_use == Use::Writing && !folder.exists() && !disk::makePrivateFolder(folder.path()))
         return values::failure(ErrorKind::LocalFile, tr("The folder of the journal cannot be made."));
     m_connection = freshName();
     QSqlDatabase database =

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/exports.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "journal/queries.h"
 
 using values::Result;
@@ -43,7 +43,7 @@ template <typename Write> Result<qint64> toFile(const QString &path, Format form
         count = *written;
         return {};
     };
-    return files::replaceFile(path, writeAll).map([&] { return count; });
+    return disk::replaceFile(path, writeAll).map([&] { return count; });
 }
 
 /// Writes every page of `ask`, which takes a cursor.

@@ -94,12 +94,12 @@ Store::~Store()
     m_written.disconnect(this);
     const Changes rest = unwritten();
     if (!rest.empty()) {
-        files::Worker last;
+        disk::Worker last;
         QFuture<QString> leaving = last.run([place = m_place, rest] { return leaveUnsaved(place, rest); });
         const QString words = last.waitForDone(forTheRest) ? leaving.result() : tr("the disk does not answer");
         qCWarning(journalLog).noquote() << words;
     }
-    for (files::Worker *worker : {&m_reader, &m_writer})
+    for (disk::Worker *worker : {&m_reader, &m_writer})
         worker->end(std::chrono::milliseconds {end.remainingTime()});
 }
 
@@ -224,7 +224,7 @@ void Store::askWriter(const Question<Value> &question, const QPointer<QObject> &
 template <typename Value> void Store::ask(Question<Value> question, QObject *context, Handler<Value> handler, Need need)
 {
     using Found = std::optional<Result<Value>>;
-    const auto work = [database = m_reading, question](const files::IsWanted &isWanted) -> Found {
+    const auto work = [database = m_reading, question](const disk::IsWanted &isWanted) -> Found {
         database->interruptUnless(isWanted);
         if (!database->open())
             return std::nullopt;

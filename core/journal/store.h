@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "journal/filter.h"
 #include "journal/tablewriter.h"
 #include "protocol/text.h"
@@ -129,8 +129,8 @@ private:
     QUrl m_place;
     std::shared_ptr<Database> m_writing; ///< Each is for its worker alone.
     std::shared_ptr<Database> m_reading;
-    files::Worker m_writer;
-    files::Worker m_reader;
+    disk::Worker m_writer;
+    disk::Worker m_reader;
     QFutureWatcher<Answer<void>> m_written; ///< Of m_batch.
     std::deque<Change> m_waiting;
     qsizetype m_waitingWeight = 0;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "journal/unsaved.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "journal/database.h"
 #include "journal/queries.h"
 #include <QCoreApplication>
@@ -98,7 +98,7 @@ Result<Unsaved> read(const QString &path)
 {
     if (!QFile::exists(path))
         return Unsaved {};
-    const auto text = files::readFile(path);
+    const auto text = disk::readFile(path);
     if (!text)
         return tl::unexpected(text.error());
     const QJsonDocument json = QJsonDocument::fromJson(*text);
@@ -161,7 +161,7 @@ QString leaveUnsaved(
             unsaved.notes += *note;
     }
     const int count = int(changes.size());
-    if (const auto kept = files::replaceFile(path, toText(unsaved), files::Readers::OwnerOnly); !kept)
+    if (const auto kept = disk::replaceFile(path, toText(unsaved), disk::Readers::OwnerOnly); !kept)
         return tr("%n record(s) of the journal are lost: neither the journal nor %1 could be written.", count)
             .arg(path);
     return tr("%n record(s) could not be written into the journal. Orders and notes are kept in %1.", count).arg(path);

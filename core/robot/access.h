@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "robot/level.h"
 #include "robot/reading.h"
 #include "settings/accesssettings.h"
@@ -85,7 +85,7 @@ private:
     AccessRules &m_rules;
     Level m_level = Level::Monitor;
     QTimer m_clock;
-    files::Worker m_checking;
+    disk::Worker m_checking;
 };
 
 } // namespace robot

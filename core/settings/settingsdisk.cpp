@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "settings/settingsdisk.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -14,7 +14,7 @@
 using namespace std::chrono_literals;
 using values::Result;
 
-namespace settings::disk {
+namespace settings::onDisk {
 
 namespace {
 
@@ -44,7 +44,7 @@ std::optional<QJsonObject> parsed(const QByteArray &text)
 
 std::optional<QJsonObject> goodOne(const QString &path)
 {
-    const auto text = files::readFile(path);
+    const auto text = disk::readFile(path);
     return text ? parsed(*text) : std::nullopt;
 }
 
@@ -79,7 +79,7 @@ Content read(const QString &path)
             return fromCopy(path, Texts::tr("The settings in %1 are gone.").arg(path));
         return takeOver(earlierOf(path));
     }
-    const auto text = files::readFile(path);
+    const auto text = disk::readFile(path);
     if (!text)
         return fromCopy(path, Texts::tr("The settings cannot be read: %1.").arg(text.error().detail));
     if (const auto values = parsed(*text))
@@ -89,7 +89,7 @@ Content read(const QString &path)
 
 Result<Content> write(const QString &path, const SettingsFile::Changes &changes)
 {
-    if (const auto made = files::makePrivateFolder(QFileInfo {path}.absolutePath()); !made)
+    if (const auto made = disk::makePrivateFolder(QFileInfo {path}.absolutePath()); !made)
         return tl::unexpected(made.error());
     QLockFile lock {path + QStringLiteral(".lock")};
     lock.setStaleLockTime(int(std::chrono::milliseconds {longestWriting}.count()));
@@ -105,12 +105,12 @@ Result<Content> write(const QString &path, const SettingsFile::Changes &changes)
     const QByteArray text =
         QJsonDocument {{{QStringLiteral("format"), format}, {QStringLiteral("values"), content.values}}}.toJson();
     for (const QString &file : {path, copyOf(path)}) {
-        files::removeLeftovers(file);
-        if (const auto done = files::replaceFile(file, text, files::Readers::OwnerOnly); !done)
+        disk::removeLeftovers(file);
+        if (const auto done = disk::replaceFile(file, text, disk::Readers::OwnerOnly); !done)
             return tl::unexpected(done.error());
     }
-    files::removeLeftovers(earlierOf(path));
+    disk::removeLeftovers(earlierOf(path));
     return content;
 }
 
-} // namespace settings::disk
+} // namespace settings::onDisk

@@ -5,7 +5,7 @@
 #include "settings/settingsfile.h"
 
 /// The settings as they lie on the disk: {"format": 1, "values": {key: value}}. May block.
-namespace settings::disk {
+namespace settings::onDisk {
 
 /// Reads the file. One that is damaged is renamed and the copy of it used; without either, the settings of earlier
 /// versions are taken over from pendesk.conf (INI) in the same folder, which stays as it is.
@@ -17,4 +17,4 @@ namespace settings::disk {
 /// The values of an INI file of earlier versions, with a sentence if some of it could not be read.
 [[nodiscard]] SettingsFile::Content takeOver(const QString &path);
 
-} // namespace settings::disk
+} // namespace settings::onDisk

@@ -38,7 +38,7 @@ QString SettingsFile::defaultPath()
 
 SettingsFile::SettingsFile(const QString &path, QObject *parent) : QObject {parent}, m_path {path}
 {
-    const Content content = disk::read(path);
+    const Content content = onDisk::read(path);
     m_values = content.values;
     m_notice = content.notice;
     if (!m_notice.isEmpty())
@@ -129,7 +129,7 @@ void SettingsFile::save()
     if (m_underWay || m_changes.empty())
         return;
     m_underWay = std::exchange(m_changes, {});
-    m_saving.setFuture(m_worker.run([path = m_path, changes = *m_underWay] { return disk::write(path, changes); }));
+    m_saving.setFuture(m_worker.run([path = m_path, changes = *m_underWay] { return onDisk::write(path, changes); }));
 }
 
 void SettingsFile::onSaved()

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "values/error.h"
 #include <QJsonObject>
 #include <QObject>
@@ -82,7 +82,7 @@ private:
     Changes m_changes; ///< Not on their way yet.
     std::optional<Changes> m_underWay;
     QFutureWatcher<Written> m_saving;
-    files::Worker m_worker;
+    disk::Worker m_worker;
     bool m_isSavingSoon = false;
 };
 

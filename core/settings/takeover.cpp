@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "settings/settingsdisk.h"
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -8,7 +8,7 @@
 #include <QJsonDocument>
 #include <QSettings>
 
-namespace settings::disk {
+namespace settings::onDisk {
 
 namespace {
 
@@ -37,7 +37,7 @@ QJsonValue valueOf(const QString &key, const QVariant &value)
 /// QSettings ends a file with a line end.
 bool isCut(const QString &path)
 {
-    const auto text = files::readFile(path);
+    const auto text = disk::readFile(path);
     return !text || (!text->isEmpty() && !text->endsWith('\n'));
 }
 
@@ -45,7 +45,8 @@ QString notice(const QString &path, int unreadable)
 {
     if (unreadable == 0)
         return {};
-    return TakeOverTexts::tr("%n entry(ies) of the earlier settings cannot be read; they stay in %1.", nullptr, unreadable)
+    return TakeOverTexts::tr(
+        "%n entry(ies) of the earlier settings cannot be read; they stay in %1.", nullptr, unreadable)
         .arg(path);
 }
 
@@ -69,4 +70,4 @@ SettingsFile::Content takeOver(const QString &path)
     return content;
 }
 
-} // namespace settings::disk
+} // namespace settings::onDisk

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "trend/archive.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "trend/moment.h"
 #include "values/utc.h"
 #include <QJsonArray>
@@ -25,14 +25,14 @@ QString signalsFile() { return QStringLiteral("signals.json"); }
 
 Result<void> write(const QString &path, const QJsonDocument &json)
 {
-    return files::replaceFile(path, json.toJson(QJsonDocument::Compact));
+    return disk::replaceFile(path, json.toJson(QJsonDocument::Compact));
 }
 
 Result<QJsonDocument> read(const QString &path)
 {
     if (QFileInfo {path}.size() > largestFile)
         return values::badInput(QStringLiteral("%1 is too large").arg(path));
-    const auto text = files::readFile(path);
+    const auto text = disk::readFile(path);
     if (!text)
         return tl::unexpected(text.error());
     const QJsonDocument json = QJsonDocument::fromJson(*text);

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "robot/controller.h"
 #include "trend/archive.h"
 #include "trend/flightrecorder.h"
@@ -67,7 +67,7 @@ private:
     values::JobName m_job;
     robot::Poller::Interest m_positionInterest; ///< Until the position is read, once a second.
     QTimer m_timer;
-    files::Worker m_disk;
+    disk::Worker m_disk;
 };
 
 } // namespace trend

@@ -29,6 +29,7 @@ struct Arrow {
 };
 constexpr Arrow arrows[] {
     {"core/values", ""},
+    {"core/disk", "core/values"},
     {"core/protocol", "core/values"},
     {"core/session", "core/protocol"},
     {"core/traffic", "core/protocol"},
@@ -39,8 +40,8 @@ constexpr Arrow arrows[] {
     {"core/cell", "core/cellfiles"},
     {"core/virtualcontroller", "core/protocol core/inform"},
     {"core/names", "core/variables core/cellfiles"},
-    {"core/journal", "core/protocol"},
-    {"core/settings", "core/protocol core/motion"},
+    {"core/journal", "core/protocol core/disk"},
+    {"core/settings", "core/protocol core/motion core/disk"},
     {"core/files", "core/session core/journal core/cell"},
     {"core/robot", "core/session core/motion core/names core/journal core/settings core/cell"},
     {"core/trend", "core/robot"},

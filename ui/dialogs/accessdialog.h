@@ -48,7 +48,7 @@ private:
     QLineEdit *m_passcode;
     QLineEdit *m_again;
     QLabel *m_complaint;
-    files::Worker m_making; ///< Of a passcode, which takes its time.
+    disk::Worker m_making; ///< Of a passcode, which takes its time.
 };
 
 } // namespace dialogs

@@ -251,7 +251,7 @@ void BackupPage::exportTo(const QString &target)
     m_long.run(
         this,
         [path = entry->path, target](
-            const files::IsWanted &isWanted) { return files::writeZip(path, target, isWanted); },
+            const disk::IsWanted &isWanted) { return files::writeZip(path, target, isWanted); },
         [this](const values::Result<void> &written) {
             m_isExporting = false;
             say(written ? tr("Exported.") : tr("▲ Not exported: %1").arg(protocol::explain(written.error())));

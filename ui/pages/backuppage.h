@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "disk/worker.h"
 #include "files/compare.h"
-#include "files/worker.h"
 #include "ui/pages/page.h"
 
 class QComboBox;
@@ -66,8 +66,8 @@ private:
     const Context m_context;
     station::Backups &m_backups;
     bool m_isUp = false;
-    files::Worker m_disk; ///< Looks into folders and backups.
-    files::Worker m_long; ///< Verifies and exports, one after the other.
+    disk::Worker m_disk; ///< Looks into folders and backups.
+    disk::Worker m_long; ///< Verifies and exports, one after the other.
     bool m_isVerifying = false;
     bool m_isExporting = false;
 

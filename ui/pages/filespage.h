@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "disk/worker.h"
 #include "files/collection.h"
-#include "files/worker.h"
 #include "ui/pages/files/offers.h"
 #include "ui/pages/files/remotechanges.h"
 #include <QFileSystemWatcher>
@@ -63,7 +63,7 @@ private:
     QList<values::FileName> m_names; ///< What the controller listed last.
     bool m_isListed = false;
     bool m_isUp = false;
-    files::Worker m_disk; ///< The local folder may be in the network.
+    disk::Worker m_disk; ///< The local folder may be in the network.
 
     FilePane *m_local;
     FilePane *m_remote;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/trendpage.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "protocol/codes.h"
 #include "trend/csv.h"
 #include "trend/moment.h"
@@ -360,7 +360,7 @@ void TrendPage::chooseFile()
 
 values::Result<void> TrendPage::exportTo(const QString &path) const
 {
-    return files::replaceFile(path, trend::toCsv(m_model->shown(), m_plot->range()));
+    return disk::replaceFile(path, trend::toCsv(m_model->shown(), m_plot->range()));
 }
 
 void TrendPage::dragEnterEvent(QDragEnterEvent *event)

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "trend/recorder.h"
 #include "ui/pages/page.h"
 #include <QTimer>
@@ -71,7 +71,7 @@ private:
     std::optional<trend::Moment> m_pausedAt;
     bool m_isLinkUp = false;
     models::TrackModel *m_model;
-    files::Worker m_disk;
+    disk::Worker m_disk;
     models::IncidentModel *m_incidents;
     widgets::Plot *m_plot;
     widgets::Card *m_card;

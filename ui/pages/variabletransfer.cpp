@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/variabletransfer.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "ui/dialogs/importdialog.h"
 #include <QClipboard>
 #include <QGuiApplication>
@@ -50,7 +50,7 @@ void VariableTransfer::paste(const Reference &first)
 void VariableTransfer::importFrom(const QString &path)
 {
     const auto read = [path] {
-        return files::readFile(path).and_then(variables::textOfFile).and_then(variables::readTable);
+        return disk::readFile(path).and_then(variables::textOfFile).and_then(variables::readTable);
     };
     m_disk.run(this, read, [this](const values::Result<variables::Table> &table) {
         if (!table && table.error().kind == values::ErrorKind::LocalFile)
@@ -95,7 +95,7 @@ void VariableTransfer::write(const QString &path, const QList<Reference> &variab
         rows << variables::ExportRow {variable, m_desk.book.names().of(variable).text, now(variable)};
     const QByteArray csv = "\xEF\xBB\xBF" + toCsv(rows, m_desk.format).toUtf8();
     m_disk.run(
-        this, [path, csv] { return files::replaceFile(path, csv); },
+        this, [path, csv] { return disk::replaceFile(path, csv); },
         [this, path](const values::Result<void> &written) {
             Q_EMIT said(written ? tr("%1 was written.").arg(path)
                                 : tr("The file could not be written: %1").arg(written.error().detail),

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
-#include "files/worker.h"
+#include "disk/worker.h"
 #include "ui/models/variablemodel.h"
 #include <QTimer>
 
@@ -57,7 +57,7 @@ private:
     QList<variables::Reference> m_wanted; ///< Of them, some are not known yet.
     std::function<void()> m_next; ///< Once they are.
     QTimer m_patience;
-    files::Worker m_disk;
+    disk::Worker m_disk;
 };
 
 } // namespace pages

@@ -7,8 +7,8 @@
 // fails. bench_hold [presses]
 #include "ui/harness.h"
 
+#include "disk/worker.h"
 #include "files/collection.h"
-#include "files/worker.h"
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QLockFile>
@@ -124,7 +124,7 @@ std::shared_ptr<void> slowDisk(Harness &harness)
         ~Disk() { answered.release(1'000'000); }
         QSemaphore answered;
         QTimer timer;
-        files::Worker worker;
+        disk::Worker worker;
     };
     auto disk = std::make_shared<Disk>();
     const auto order = [disk = disk.get(), &harness] {

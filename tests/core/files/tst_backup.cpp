@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "core/files/filedesk.h"
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "files/identity.h"
 #include "files/restore.h"
 
@@ -402,7 +402,8 @@ void TestBackup::survivesKills()
     const QTemporaryDir root;
     const Archive archive {root.path(), QStringLiteral("CELL 4")};
     QVERIFY(!backedUp(desk, root.path()).hashes.empty());
-    const QByteArray first = readFile(archive.entries().last().path + QStringLiteral("/manifest-sha256.txt")).value();
+    const QByteArray first =
+        disk::readFile(archive.entries().last().path + QStringLiteral("/manifest-sha256.txt")).value();
     const QString firstId = archive.entries().last().id;
     std::mt19937 random {200};
     QSet<QString> seen;
@@ -424,7 +425,7 @@ void TestBackup::survivesKills()
             QVERIFY2(entry.isReadable && verify(entry.path).isGood(), qPrintable(entry.path));
         }
     }
-    QCOMPARE(readFile(archive.folder() + u'/' + firstId + QStringLiteral("/manifest-sha256.txt")).value(), first);
+    QCOMPARE(disk::readFile(archive.folder() + u'/' + firstId + QStringLiteral("/manifest-sha256.txt")).value(), first);
     for (const ArchiveEntry &entry : archive.entries())
         QVERIFY(verify(entry.path).isGood());
     const auto whole = archive.entries();
@@ -504,7 +505,7 @@ void TestBackup::restoresNothingSpoilt()
     desk.files()["A.JBI"] = jobText("A", 5);
     const auto plan = planFor(desk, bag);
     const QString path = Archive(root.path(), QStringLiteral("CELL 4")).entries().value(0).path;
-    QVERIFY(replaceFile(path + QStringLiteral("/data/A.JBI"), jobText("A", 6)));
+    QVERIFY(disk::replaceFile(path + QStringLiteral("/data/A.JBI"), jobText("A", 6)));
     Restore restore {desk.session, bag, plan, orderFor(root.path()), always()};
     QVERIFY(FileDesk::finish(restore));
     QVERIFY(restore.state() == OperationState::Failed);

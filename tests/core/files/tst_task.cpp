@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "core/files/filedesk.h"
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "files/queue.h"
 
 #include <QDir>
@@ -34,7 +34,7 @@ Guard never()
     };
 }
 
-bool write(const QString &path, const QByteArray &content) { return replaceFile(path, content).has_value(); }
+bool write(const QString &path, const QByteArray &content) { return disk::replaceFile(path, content).has_value(); }
 
 } // namespace
 
@@ -72,7 +72,7 @@ void TestTask::downloads()
     QVERIFY(task.state() == OperationState::Waiting);
     QVERIFY(FileDesk::finish(task));
     QVERIFY(task.state() == OperationState::Done);
-    QCOMPARE(readFile(task.localPath()).value_or("?"), desk.files()["HOME.JBI"]);
+    QCOMPARE(disk::readFile(task.localPath()).value_or("?"), desk.files()["HOME.JBI"]);
     QVERIFY(progressed.size() > 5);
     QVERIFY(task.bytesDone() > 0);
     QVERIFY(!task.remaining()); // a controller does not tell sizes
@@ -109,7 +109,7 @@ void TestTask::leavesAGoodFileAlone()
     }
     QVERIFY(task.state() == OperationState::Failed);
     QCOMPARE(int(task.error()->kind), kind);
-    QCOMPARE(readFile(path).value_or("?"), "good");
+    QCOMPARE(disk::readFile(path).value_or("?"), "good");
     QCOMPARE(QDir {folder.path()}.entryList(QDir::Files | QDir::Hidden).size(), 1);
 }
 
@@ -210,7 +210,7 @@ void TestTask::deletesWithACopy()
     QVERIFY(task.state() == OperationState::Done);
     QVERIFY(!desk.files().contains("HOME.JBI"));
     QCOMPARE(task.copy(), folder.filePath(QStringLiteral("HOME (2).JBI")));
-    QCOMPARE(readFile(task.copy()).value_or("?"), jobText("HOME"));
+    QCOMPARE(disk::readFile(task.copy()).value_or("?"), jobText("HOME"));
     QVERIFY(task.record().oldValue.contains(task.copy()));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "files/zip.h"
 #include <QDir>
 #include <QTemporaryDir>
@@ -52,7 +52,7 @@ private Q_SLOTS:
             {QStringLiteral("20261122T101500Z/data/溶接.JBI"), QByteArray("\x00\xFF\x8A", 3)},
         };
         for (const auto &[name, content] : expected)
-            QVERIFY(files::writeNew(root.filePath(name), content));
+            QVERIFY(disk::writeNew(root.filePath(name), content));
         const QString zip = root.filePath(QStringLiteral("backup.zip"));
         const auto written = files::writeZip(bag, zip);
         QVERIFY2(written, written ? "" : qPrintable(written.error().detail));
@@ -73,7 +73,7 @@ private Q_SLOTS:
         const QTemporaryDir root;
         const QString bag = root.filePath(QStringLiteral("20261122T101500Z"));
         QVERIFY(QDir {}.mkpath(bag));
-        QVERIFY(files::writeNew(bag + QStringLiteral("/bagit.txt"), "BagIt-Version: 1.0\n"));
+        QVERIFY(disk::writeNew(bag + QStringLiteral("/bagit.txt"), "BagIt-Version: 1.0\n"));
         const auto written = files::writeZip(bag, root.filePath(target));
         QVERIFY(!written);
         QVERIFY(written.error().kind == values::ErrorKind::LocalFile);

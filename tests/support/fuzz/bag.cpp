@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "support/fuzz/target.h"
 
+#include "disk/durable.h"
 #include "files/bag.h"
 #include "files/bagtext.h"
-#include "files/durable.h"
 #include <QDir>
 #include <QTemporaryDir>
 
@@ -31,7 +31,7 @@ struct Backup {
         require(sealed.has_value(), "no bag");
         path = *sealed;
         for (const QString &name : tagNames)
-            good << files::readFile(path + u'/' + name).value_or(QByteArray {});
+            good << disk::readFile(path + u'/' + name).value_or(QByteArray {});
     }
     QTemporaryDir folder;
     QString path;

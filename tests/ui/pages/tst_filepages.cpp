@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "ui/dialogs/overwritedialog.h"
 #include "ui/dialogs/restoredialog.h"
 #include "ui/harness.h"
@@ -117,7 +117,7 @@ void TestFilePages::fetches()
     QTRY_VERIFY(find<QPushButton>(page, "fetchFiles")->isEnabled()); // a busy computer may lose the link for a moment
     QTest::mouseClick(find<QPushButton>(page, "fetchFiles"), Qt::LeftButton);
     QTRY_COMPARE(find<QListWidget>(page, "localFiles")->count(), 1);
-    QCOMPARE(files::readFile(desk.local("HOME.JBI")).value_or("?"), desk.remote()["HOME.JBI"]);
+    QCOMPARE(disk::readFile(desk.local("HOME.JBI")).value_or("?"), desk.remote()["HOME.JBI"]);
     QTRY_COMPARE(recorded.size(), 1);
     const auto record = recorded[0][0].value<journal::OrderRecord>();
     QCOMPARE(record.action, QStringLiteral("download"));
@@ -128,7 +128,7 @@ void TestFilePages::asksBeforeItReplaces()
 {
     Desk desk;
     auto *page = desk.open<FilesPage>("files");
-    QVERIFY(page && files::replaceFile(desk.local("HOME.JBI"), "mine"));
+    QVERIFY(page && disk::replaceFile(desk.local("HOME.JBI"), "mine"));
     page->openFolder(desk.files.path());
     auto *remote = find<QListWidget>(page, "remoteFiles");
     QTRY_VERIFY(choose(remote, QStringLiteral("HOME.JBI")));
@@ -140,14 +140,14 @@ void TestFilePages::asksBeforeItReplaces()
     QVERIFY(find<QPushButton>(dialog, "skip")->isDefault());
     QTest::keyClick(dialog, Qt::Key_Return); // the default
     QTRY_VERIFY(!find<dialogs::OverwriteDialog>(page->window(), "overwriteDialog"));
-    QCOMPARE(files::readFile(desk.local("HOME.JBI")).value_or("?"), "mine");
+    QCOMPARE(disk::readFile(desk.local("HOME.JBI")).value_or("?"), "mine");
     QTRY_VERIFY(find<QPushButton>(page, "fetchFiles")->isEnabled()); // a busy computer may lose the link for a moment
     QTest::mouseClick(find<QPushButton>(page, "fetchFiles"), Qt::LeftButton);
     dialog = waitForDialog<dialogs::OverwriteDialog>(page, "overwriteDialog");
     QVERIFY(dialog);
     QTest::mouseClick(find<QPushButton>(dialog, "keepBoth"), Qt::LeftButton);
     QTRY_VERIFY(QFile::exists(desk.local("HOME (2).JBI")));
-    QCOMPARE(files::readFile(desk.local("HOME.JBI")).value_or("?"), "mine");
+    QCOMPARE(disk::readFile(desk.local("HOME.JBI")).value_or("?"), "mine");
     QTRY_VERIFY(desk.window.controller().linkState() == robot::LinkState::Monitoring);
     desk.picture(&desk.window, "panes");
 }
@@ -170,7 +170,7 @@ void TestFilePages::sendsAndRecords()
     desk.server->memory().status.data1.setFlag(values::Status::Running, false);
     QVERIFY(desk.window.view().orders().access().enter(robot::Level::Engineer) == robot::Access::Answer::Entered);
     const QByteArray job = QByteArray(desk.remote()["HOME.JBI"]).replace("HOME", "FRESH");
-    QVERIFY(files::replaceFile(desk.local("FRESH.JBI"), job));
+    QVERIFY(disk::replaceFile(desk.local("FRESH.JBI"), job));
     page->openFolder(desk.files.path());
     QTRY_COMPARE(find<QListWidget>(page, "remoteFiles")->count(), desk.remoteJobs());
     QTRY_VERIFY(choose(find<QListWidget>(page, "localFiles"), QStringLiteral("FRESH.JBI")));
@@ -192,7 +192,7 @@ void TestFilePages::sendsAndRecords()
     QVERIFY(box && desk.remote().contains("FRESH.JBI"));
     QTest::mouseClick(find<QPushButton>(box, "confirmDelete"), Qt::LeftButton);
     QTRY_VERIFY(!desk.remote().contains("FRESH.JBI"));
-    QCOMPARE(files::readFile(desk.local("deleted/FRESH.JBI")).value_or("?"), job);
+    QCOMPARE(disk::readFile(desk.local("deleted/FRESH.JBI")).value_or("?"), job);
 }
 
 void TestFilePages::backsUpAndCompares()
@@ -225,7 +225,7 @@ void TestFilePages::backsUpAndCompares()
     desk.picture(&desk.window, "comparison");
     page->exportTo(desk.local("backup.zip"));
     QTRY_COMPARE(find<QLabel>(page, "backupState")->text(), QStringLiteral("Exported."));
-    QVERIFY(files::readFile(desk.local("backup.zip")).value_or("?").startsWith("PK"));
+    QVERIFY(disk::readFile(desk.local("backup.zip")).value_or("?").startsWith("PK"));
 }
 
 void TestFilePages::restores()

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #include "ui/pages/files/offers.h"
 
-#include "files/durable.h"
+#include "disk/durable.h"
 #include "files/localname.h"
 #include "files/preflight.h"
 #include "ui/dialogs/comparedialog.h"
@@ -25,7 +25,7 @@ void Offers::lookAndAsk(const QList<Offer> &offers)
     QList<Offer> passing;
     QStringList sentences;
     for (const Offer &each : offers) {
-        const auto content = files::readFile(each.localPath);
+        const auto content = disk::readFile(each.localPath);
         const auto findings = files::preflight(each.name, content.value_or(QByteArray()), m_orders.jobsInUse());
         if (files::mayBeSent(findings))
             passing << each;
@@ -102,7 +102,7 @@ void Offers::carryOut(const Offer &offer)
 void Offers::compare(const Offer &offer)
 {
     readRemote(m_context, offer.name, m_window, [this, offer](const QByteArray &remote) {
-        const QByteArray local = files::readFile(offer.localPath).value_or(QByteArray());
+        const QByteArray local = disk::readFile(offer.localPath).value_or(QByteArray());
         const bool isDownload = offer.direction == Direction::Download;
         const protocol::TextCodec codec {m_context.station.profile().encoding};
         auto *dialog = new dialogs::CompareDialog(tr("What would change in “%1”").arg(text(m_context, offer.name)),

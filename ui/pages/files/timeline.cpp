@@ -15,7 +15,7 @@ constexpr int idRole = Qt::UserRole;
 enum Column { Taken, Files, Changed, Condition };
 
 /// How many files differ from the backup before, by id. Reads bags; runs in another thread.
-QHash<QString, int> changesOf(const QList<ArchiveEntry> &newestFirst, const files::IsWanted &isWanted)
+QHash<QString, int> changesOf(const QList<ArchiveEntry> &newestFirst, const disk::IsWanted &isWanted)
 {
     QHash<QString, int> result;
     for (int index = 0; index + 1 < newestFirst.size() && isWanted(); ++index) {
@@ -59,7 +59,7 @@ void Timeline::showEntries(const QList<ArchiveEntry> &entries)
     showRows();
     m_count = std::make_unique<QObject>(); // an earlier count is of no use
     m_counting.run(
-        m_count.get(), [entries](const files::IsWanted &isWanted) { return changesOf(entries, isWanted); },
+        m_count.get(), [entries](const disk::IsWanted &isWanted) { return changesOf(entries, isWanted); },
         [this](const QHash<QString, int> &changes) {
             m_changes = changes;
             showRows();

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Pendesk authors
 #pragma once
 
+#include "disk/worker.h"
 #include "files/archive.h"
-#include "files/worker.h"
 #include <QTreeWidget>
 
 namespace pages {
@@ -29,7 +29,7 @@ private:
     QList<files::ArchiveEntry> m_entries; ///< As the rows.
     QHash<QString, int> m_changes; ///< By id: files that differ from the backup before.
     std::unique_ptr<QObject> m_count; ///< Wants the count that is under way.
-    files::Worker m_counting; // a folder in the network can keep one waiting
+    disk::Worker m_counting; // a folder in the network can keep one waiting
 };
 
 } // namespace pages

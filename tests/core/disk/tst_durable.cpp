@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/durable.h"
+#include "disk/durable.h"
 
 #include "core/files/filedesk.h"
 #include <QDir>
@@ -24,9 +24,9 @@ class TestDurable : public QObject
 private Q_SLOTS:
     void replaces()
     {
-        QVERIFY(files::replaceFile(path("a"), "old"));
-        QVERIFY(files::replaceFile(path("a"), "new", files::Readers::OwnerOnly));
-        QCOMPARE(files::readFile(path("a")).value_or("?"), "new");
+        QVERIFY(disk::replaceFile(path("a"), "old"));
+        QVERIFY(disk::replaceFile(path("a"), "new", disk::Readers::OwnerOnly));
+        QCOMPARE(disk::readFile(path("a")).value_or("?"), "new");
         const auto owner = QFile::ReadOwner | QFile::WriteOwner | QFile::ReadUser | QFile::WriteUser;
         QCOMPARE(QFile::permissions(path("a")), owner);
         QCOMPARE(entries(), QStringList {QStringLiteral("a")});
@@ -42,43 +42,43 @@ private Q_SLOTS:
     void whatGoesWrongLeavesTheOldFile()
     {
         QFETCH(qsizetype, size);
-        QVERIFY(files::replaceFile(path("full"), "old"));
+        QVERIFY(disk::replaceFile(path("full"), "old"));
         const QStringList before = entries();
         values::Result<void> written;
         {
             const FullDisk full {4096};
-            written = files::replaceFile(path("full"), QByteArray(size, 'x'));
+            written = disk::replaceFile(path("full"), QByteArray(size, 'x'));
         }
         QVERIFY(!written);
         QCOMPARE(written.error().kind, values::ErrorKind::LocalFile);
         QVERIFY2(written.error().detail.contains(QStringLiteral("File too large")), qPrintable(written.error().detail));
-        QCOMPARE(files::readFile(path("full")).value_or("?"), "old");
+        QCOMPARE(disk::readFile(path("full")).value_or("?"), "old");
         QCOMPARE(entries(), before);
     }
 
     void anErrorOfTheWriterLeavesTheOldFile()
     {
-        QVERIFY(files::replaceFile(path("half"), "old"));
-        const auto written = files::replaceFile(path("half"), [](QIODevice &file) -> values::Result<void> {
+        QVERIFY(disk::replaceFile(path("half"), "old"));
+        const auto written = disk::replaceFile(path("half"), [](QIODevice &file) -> values::Result<void> {
             file.write("half");
             return values::badInput(QStringLiteral("why"));
         });
         QVERIFY(!written);
         QCOMPARE(written.error().detail, QStringLiteral("why"));
-        QCOMPARE(files::readFile(path("half")).value_or("?"), "old");
+        QCOMPARE(disk::readFile(path("half")).value_or("?"), "old");
     }
 
     void regularFilesAlone()
     {
         QCOMPARE(::mkfifo(QFile::encodeName(path("pipe")).constData(), 0600), 0);
         for (const QString &name : {path("pipe"), m_folder.path(), QStringLiteral("/dev/zero")}) {
-            const auto read = files::readFile(name);
+            const auto read = disk::readFile(name);
             QVERIFY2(!read, qPrintable(name));
             QVERIFY(read.error().detail.contains(QStringLiteral("regular file")));
-            QVERIFY(!files::replaceFile(name, "x"));
+            QVERIFY(!disk::replaceFile(name, "x"));
         }
-        QVERIFY(!files::readFile(path("nothing")));
-        QVERIFY(!files::replaceFile(path("no/folder"), "x"));
+        QVERIFY(!disk::readFile(path("nothing")));
+        QVERIFY(!disk::replaceFile(path("no/folder"), "x"));
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/durable.h"
+#include "disk/durable.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -18,7 +18,7 @@
 using values::ErrorKind;
 using values::Result;
 
-namespace files {
+namespace disk {
 
 namespace {
 
@@ -187,4 +187,4 @@ Result<void> syncTree(const QString &folder)
 #endif
 }
 
-} // namespace files
+} // namespace disk

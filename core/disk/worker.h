@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-namespace files {
+namespace disk {
 
 /// Says whether the answer of a piece of work is still wanted. Long work asks between two files.
 using IsWanted = std::function<bool()>;
@@ -85,4 +85,4 @@ template <typename Work, typename Then> void Worker::run(QObject *context, Work 
     watcher->setFuture(future);
 }
 
-} // namespace files
+} // namespace disk

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/worker.h"
+#include "disk/worker.h"
 
 #include <QSemaphore>
 #include <QSignalSpy>
@@ -8,8 +8,8 @@
 #include <QThread>
 
 using namespace std::chrono_literals;
-using files::IsWanted;
-using files::Worker;
+using disk::IsWanted;
+using disk::Worker;
 
 namespace {
 

@@ -11,7 +11,7 @@ class QIODevice;
 /// Files that are whole: read from regular files alone, written so that a crash, a full disk or a power failure leaves
 /// the old file or the new one, never a half. Every error is LocalFile, "path: the system's reason". All of it may
 /// block; the window calls it through a Worker.
-namespace files {
+namespace disk {
 
 /// Who may read a file that is written.
 enum class Readers {
@@ -40,4 +40,4 @@ void removeLeftovers(const QString &path);
 /// The same for a folder with everything in it, at about the cost of one file.
 [[nodiscard]] values::Result<void> syncTree(const QString &folder);
 
-} // namespace files
+} // namespace disk

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Pendesk authors
-#include "files/worker.h"
+#include "disk/worker.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-namespace files {
+namespace disk {
 
 struct Worker::Queue {
     std::mutex mutex;
@@ -86,4 +86,4 @@ void Worker::work(const std::shared_ptr<Queue> &queue)
     queue->changed.notify_all();
 }
 
-} // namespace files
+} // namespace disk
