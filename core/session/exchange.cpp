@@ -11,6 +11,12 @@ using values::ErrorKind;
 
 namespace session {
 
+namespace {
+
+constexpr Milliseconds backgroundTurn {100};
+
+} // namespace
+
 Exchange::Exchange(const Policy &policy, quint8 firstId, quint32 seed)
     : m_policy {policy},
       m_ids {firstId},
@@ -61,6 +67,19 @@ void Exchange::countTowardsCeiling(Priority priority, Time now)
         m_nextSlot = now + std::chrono::microseconds {1'000'000 / m_policy.requestsPerSecond};
 }
 
+/// Who goes first. On a link that pages fill, what waits in the background gets a tenth of a second's turn all the
+/// same: else it would wait as long as the page is in view.
+std::array<Priority, priorityCount> Exchange::turns(Time now) const
+{
+    using enum Priority;
+    const auto &background = m_waiting[std::size_t(Background)];
+    const bool isDue = !background.empty() && background.front().notBefore + backgroundTurn <= now
+        && m_lastBackground + backgroundTurn <= now;
+    if (isDue)
+        return {Stop, Control, Background, Page};
+    return {Stop, Control, Page, Background};
+}
+
 std::optional<Exchange::Departure> Exchange::depart(Time now)
 {
     if (m_waiting[std::size_t(Priority::Stop)].empty()) { // nothing of ours goes before a stop
@@ -68,7 +87,8 @@ std::optional<Exchange::Departure> Exchange::depart(Time now)
             return again;
     }
     const bool hasRoom = this->hasRoom(now);
-    for (auto &queue : m_waiting) {
+    for (const Priority priority : turns(now)) {
+        auto &queue = m_waiting[std::size_t(priority)];
         const auto next = std::ranges::find_if(queue, [&](const Waiting &order) {
             return order.priority == Priority::Stop || (hasRoom && order.notBefore <= now);
         });
@@ -109,6 +129,8 @@ std::optional<Exchange::Departure> Exchange::departAgain(Time now)
 std::optional<Exchange::Departure> Exchange::departFirst(Waiting &&order, quint8 id, Time now)
 {
     countTowardsCeiling(order.priority, now);
+    if (order.priority == Priority::Background)
+        m_lastBackground = now;
     m_wasAnswered[id] = false;
     Open open {.order = std::move(order), .id = id, .firstSent = now, .lastSent = now};
     open.packet = protocol::encode(open.order.request, {protocol::Division::Robot, false, id, 0});

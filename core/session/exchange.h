@@ -94,6 +94,7 @@ private:
 
     std::optional<Departure> departAgain(Time now);
     std::optional<Departure> departFirst(Waiting &&order, quint8 id, Time now);
+    std::array<Priority, priorityCount> turns(Time now) const;
     bool hasRoom(Time now) const;
     void countTowardsCeiling(Priority priority, Time now);
     void noteTry(Open &open, Time now);
@@ -113,6 +114,7 @@ private:
     std::array<bool, 256> m_wasAnswered {}; ///< Tells a duplicate from a late answer.
     Counters m_counters;
     Time m_nextSlot {}; ///< The ceiling: nothing but stops leaves before.
+    Time m_lastBackground {}; ///< When something of the background left last.
     Ticket m_lastTicket = 0;
     std::size_t m_departed = 0; ///< Index of the last departure in m_open.
 };

@@ -83,6 +83,26 @@ class TestExchange : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// There is always one more request of a page; what waits behind it still gets its tenth of the link.
+    void aBusyPageDoesNotStarveTheBackground()
+    {
+        Wire wire {Policy {}}; // 100 requests a second
+        for (int i = 0; i < 50; ++i)
+            wire.exchange.submit(protocol::ReadAlarm {1}.request(), Effect::Reads, Priority::Background, wire.now);
+        int ofPage = 0;
+        int ofBackground = 0;
+        for (const Time end = wire.now + 1s; wire.now < end; wire.now += 1ms) {
+            wire.read();
+            for (const QByteArray &packet : wire.depart()) {
+                const bool isOfPage = protocol::parseClientPacket(packet)->command == 0x72;
+                ++(isOfPage ? ofPage : ofBackground);
+                (void)wire.answer(packet);
+            }
+        }
+        QCOMPARE(ofBackground, 9); // one in each 100 ms, the first after it has waited so long
+        QCOMPARE(ofPage + ofBackground, 100);
+    }
+
     void triesByEffect_data()
     {
         QTest::addColumn<Effect>("effect");
