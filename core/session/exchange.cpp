@@ -13,7 +13,7 @@ namespace session {
 
 namespace {
 
-constexpr Milliseconds backgroundTurn {100};
+constexpr Milliseconds backgroundTurn {50};
 
 } // namespace
 
@@ -67,8 +67,8 @@ void Exchange::countTowardsCeiling(Priority priority, Time now)
         m_nextSlot = now + std::chrono::microseconds {1'000'000 / m_policy.requestsPerSecond};
 }
 
-/// Who goes first. On a link that pages fill, what waits in the background gets a tenth of a second's turn all the
-/// same: else it would wait as long as the page is in view.
+/// Who goes first. On a link that pages fill, what waits in the background gets its turn all the same: else it would wait
+/// as long as the page is in view.
 std::array<Priority, priorityCount> Exchange::turns(Time now) const
 {
     using enum Priority;

@@ -12,7 +12,7 @@ using values::Time;
 using Milliseconds = std::chrono::milliseconds;
 
 /// Who goes first. A stop waits for nothing, not even for the window or the ceiling. The background gets what the
-/// others leave, and one request in 100 ms at least.
+/// others leave, and one request in 50 ms at least.
 enum class Priority { Stop, Control, Page, Background };
 constexpr int priorityCount = 4;
 

@@ -24,7 +24,7 @@ using robot::LinkState;
 
 namespace {
 
-constexpr int rowsInView = 3;
+constexpr int rowsInView = 2; ///< At the least: more where there is room.
 constexpr int wideEnough = 900; ///< For a column of its own for "first seen"; else a tool tip has it.
 constexpr auto resetPatience = 1500ms; ///< Alarms that are still there then did not go.
 

@@ -83,7 +83,7 @@ class TestExchange : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// There is always one more request of a page; what waits behind it still gets its tenth of the link.
+    /// There is always one more request of a page; what waits behind it still gets its turns.
     void aBusyPageDoesNotStarveTheBackground()
     {
         Wire wire {Policy {}}; // 100 requests a second
@@ -99,7 +99,7 @@ private Q_SLOTS:
                 (void)wire.answer(packet);
             }
         }
-        QCOMPARE(ofBackground, 9); // one in each 100 ms, the first after it has waited so long
+        QCOMPARE(ofBackground, 19); // one in each 50 ms, the first after it has waited so long
         QCOMPARE(ofPage + ofBackground, 100);
     }
 
