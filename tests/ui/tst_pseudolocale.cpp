@@ -29,6 +29,8 @@ const QStringList sameEverywhere {
     QStringLiteral("CELL 4 · Weld"),
     QStringLiteral("PENDESK VIRTUAL"),
     QStringLiteral("VIRTUAL-A00"),
+    QStringLiteral("MOVJ"),
+    QStringLiteral("VJ"),
     QStringLiteral("WELD_A12"),
     QStringLiteral("UNCLAMP"),
     QStringLiteral("CLAMP"),

@@ -9,6 +9,7 @@
 #include "ui/pages/alarmnotes.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/tabletools.h"
+#include "ui/widgets/text.h"
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -102,6 +103,7 @@ QLayout *AlarmHistoryCard::tools()
     m_state->setObjectName(QStringLiteral("historyState"));
     m_exported->setObjectName(QStringLiteral("historyExported"));
     m_read->setObjectName(QStringLiteral("readHistory"));
+    widgets::reserveWidth(m_read, {tr("Stop reading"), tr("Read now")});
     m_copy->setObjectName(QStringLiteral("copyHistory"));
     m_export->setObjectName(QStringLiteral("exportHistory"));
     auto *row = new QHBoxLayout;

@@ -78,6 +78,9 @@ JournalPage::JournalPage(const Context &context, QWidget *parent)
       m_state {widgets::text({}, ui::Type::Label, ui::Role::Text2)},
       m_detail {widgets::sentence({}, ui::Role::Text1)}
 {
+    constexpr int besideWords = 44; // frame and arrow
+    m_controller->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // later names move nothing
+    m_controller->setMinimumWidth(m_controller->fontMetrics().horizontalAdvance(tr("All controllers")) + besideWords);
     m_table->setObjectName(QStringLiteral("journalTable"));
     m_table->setAccessibleName(tr("Journal"));
     m_table->setModel(m_model);

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
+#include <QStackedLayout>
 
 namespace pages {
 
@@ -90,9 +91,14 @@ void JobListCard::makeWidgets()
     buttons->addWidget(m_favourite);
     buttons->addStretch();
     buttons->addWidget(m_read);
+    auto *place = new QStackedLayout; // the words stand where the list does: nothing moves when it comes
+    place->setStackingMode(QStackedLayout::StackAll);
+    place->addWidget(m_empty);
+    place->addWidget(m_view);
+    m_empty->setAlignment(Qt::AlignTop);
+    m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
     body()->addWidget(m_text);
-    body()->addWidget(m_empty);
-    body()->addWidget(m_view, 1);
+    body()->addLayout(place, 1);
     body()->addLayout(buttons);
 }
 
@@ -104,7 +110,7 @@ void JobListCard::showList()
     setNote(note());
     m_read->setEnabled(!m_library.isListing());
     const auto &trouble = m_library.listTrouble();
-    setReason(trouble ? tr("The list could not be read: %1.").arg(protocol::explain(*trouble)) : QString());
+    setReason(trouble ? tr("The list could not be read: %1.").arg(protocol::explain(*trouble)) : age());
     if (m_library.isListing() && !list.value)
         m_empty->setText(tr("Reading the list…"));
     else if (!list.value)
@@ -123,8 +129,15 @@ QString JobListCard::note() const
         return tr("reading…");
     if (!list.value)
         return {};
-    const QString count = tr("%n job(s)", nullptr, int(list.value->size()));
-    return m_library.isListOld() ? tr("%1, read at %2").arg(count, list.clock.toString(u"HH:mm:ss")) : count;
+    return tr("%n job(s)", nullptr, int(list.value->size()));
+}
+
+/// Of a list that may be another one by now.
+QString JobListCard::age() const
+{
+    const auto &list = m_library.list();
+    return list.value && m_library.isListOld() ? tr("%1, read at %2").arg(note(), list.clock.toString(u"HH:mm:ss"))
+                                               : QString();
 }
 
 void JobListCard::showExecuting()

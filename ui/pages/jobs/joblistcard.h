@@ -36,6 +36,7 @@ private:
     void onCurrentChanged(const QModelIndex &current);
     void toggleFavourite();
     [[nodiscard]] QString note() const;
+    [[nodiscard]] QString age() const;
 
     const robot::RobotState &m_state;
     robot::JobLibrary &m_library;

@@ -3,6 +3,7 @@
 #include "ui/pages/jobs/selectcard.h"
 
 #include "ui/widgets/flow.h"
+#include "ui/widgets/text.h"
 #include "ui/words.h"
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -42,6 +43,8 @@ SelectCard::SelectCard(const Context &context, QWidget *parent)
     body()->addLayout(row);
     m_execute = addButton(Act::SelectJob);
     m_master = addButton(Act::SelectMasterJob);
+    for (widgets::OrderButton *button : {m_execute, m_master})
+        widgets::reserveWidth(button->button(), {tr("Select %1").arg(QStringLiteral("WELD_PART_A12"))});
     connect(m_execute, &widgets::OrderButton::clicked, this, &SelectCard::selectToExecute);
     connect(m_master, &widgets::OrderButton::clicked, this, &SelectCard::selectMaster);
     connect(m_target, &QComboBox::currentIndexChanged, this, &SelectCard::showTarget);

@@ -131,6 +131,9 @@ QWidget *MoveCard::axes()
         grid->addWidget(label(head), 0, column++, Qt::AlignRight);
     for (int axis = 0; axis < values::maxAxes; ++axis)
         addRow(grid, axis);
+    const int widest = QFontMetrics(ui::font(ui::Type::Body)).horizontalAdvance(QStringLiteral("-99,999,999.9999"));
+    for (const int numbers : {1, 3})
+        grid->setColumnMinimumWidth(numbers, widest); // more digits move nothing
     grid->setColumnStretch(5, 1);
     grid->setHorizontalSpacing(12);
     return holding(grid);
