@@ -5,11 +5,11 @@
 #include "protocol/codes.h"
 #include "settings/profilestore.h"
 #include "ui/widgets/flow.h"
+#include <QGridLayout>
 #include <QJsonArray>
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
-#include <QStackedLayout>
 
 namespace pages {
 
@@ -91,11 +91,9 @@ void JobListCard::makeWidgets()
     buttons->addWidget(m_favourite);
     buttons->addStretch();
     buttons->addWidget(m_read);
-    auto *place = new QStackedLayout; // the words stand where the list does: nothing moves when it comes
-    place->setStackingMode(QStackedLayout::StackAll);
-    place->addWidget(m_empty);
-    place->addWidget(m_view);
-    m_empty->setAlignment(Qt::AlignTop);
+    auto *place = new QGridLayout; // the words stand where the list does: nothing moves when it comes
+    place->addWidget(m_view, 0, 0);
+    place->addWidget(m_empty, 0, 0, Qt::AlignTop);
     m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
     body()->addWidget(m_text);
     body()->addLayout(place, 1);
